@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// The composition: which unit feeds which. Nothing else names two stages.
+#ifndef HALFSPACE_HLS_PIPELINE_HPP_
+#define HALFSPACE_HLS_PIPELINE_HPP_
+
+#include "raster_pineda.hpp"
+#include "scan_index.hpp"
+#include "shade_gouraud.hpp"
+#include "shade_setup.hpp"
+#include "triangle_setup.hpp"
+#include "ztest_index.hpp"
+
+namespace halfspace {
+
+template <class F>
+struct Streams {
+  Stream<Triangle<F>> triangle;
+  Stream<Setup<F>> setup;
+  Stream<Attributes<F>> attributes;
+  Stream<Planes<F>> planes;
+  Stream<Stamp<F>> stamp;
+  Probe<Update<F>> update;
+  Stream<Visible<F>> visible;
+  Stream<Scan<F>> scan;
+  Stream<Pixel<F>> pixel;
+};
+
+// I-buffer all 0 before the first frame; a frame leaves it so.
+template <class F>
+struct Buffers {
+  IndexBuffer<F> index;
+  DepthBuffer<F> depth;
+  ShadingDatabase<F> shading;
+};
+
+// One triangle from streams.triangle into the buffers.
+template <class F>
+void pipeline_triangle(const Frame<F>& frame, Streams<F>& streams, Buffers<F>& buffers) {
+  HS_DATAFLOW
+  triangle_setup(frame, streams.triangle, streams.setup, streams.attributes);
+  if (!streams.attributes.empty()) {
+    shade_setup(streams.attributes, streams.planes);
+    store_planes(streams.planes, buffers.shading);
+  }
+  raster_pineda(frame, streams.setup, streams.stamp);
+  ztest_index(streams.stamp, buffers.index, buffers.depth, streams.update, streams.visible);
+}
+
+// The finished frame from the buffers into streams.pixel.
+template <class F>
+void pipeline_scan(const Frame<F>& frame, Streams<F>& streams, Buffers<F>& buffers) {
+  HS_DATAFLOW
+  scan_index(frame, buffers.index, streams.scan);
+  while (!streams.scan.empty()) shade_gouraud(frame, streams.scan, buffers.shading, streams.pixel);
+}
+
+}  // namespace halfspace
+
+#endif  // HALFSPACE_HLS_PIPELINE_HPP_

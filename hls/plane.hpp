@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// The plane of an attribute over a triangle (dual pipeline, Gouraud planes):
+//
+//   N_A = (v1 − v0)·dy2 − (v2 − v0)·dy1,  N_B = (v2 − v0)·dx1 − (v1 − v0)·dx2,  D = dx1·dy2 − dx2·dy1 > 0
+//   A = N_A / D,  B = N_B / D,  v(x, y) = v0 + A·(x − x0) + B·(y − y0)
+//
+// Both gradients are rounded from the product with the same quantized reciprocal, so its relative error, at most
+// 2^−r, is a common factor of v − v0, which at a covered point is less than 2^b. Rounding to g fraction bits adds at
+// most 2^−(g+1) a pixel of distance from vertex 0:
+//
+//   |error| <= 2^(b−r) + (|x − x0| + |y − y0|)·2^−(g+1)  LSB      at every covered pixel centre, of any sliver.
+//
+// Gradients are not clamped: they wrap modulo 2^b, as the plane does, and the sum comes out right.
+#ifndef HALFSPACE_HLS_PLANE_HPP_
+#define HALFSPACE_HLS_PLANE_HPP_
+
+#include "reciprocal.hpp"
+
+namespace halfspace {
+
+// The shape of a triangle, as its planes need it.
+template <class F>
+struct PlaneBase {
+  typename F::Delta dx1, dy1, dx2, dy2;  // vertices 1 and 2 from vertex 0
+  AreaReciprocal<F> inverse;             // of D
+  typename F::Delta dx, dy;              // where the plane starts, from vertex 0
+};
+
+template <class PlaneValue, class PlaneGradient>
+struct Plane {
+  PlaneValue start;  // ½ included, so that the value rounded to nearest, half up, is the integer part
+  PlaneGradient dx, dy;
+};
+
+// floor(N · R · 2^−n + ½) modulo the width of Gradient. The product has up to 77 bits, so N is cut in two:
+// with N = H·2^24 + L and t = L·R + 2^(n−1), the sum N·R + 2^(n−1) is (H·R + floor(t / 2^24))·2^24 + t mod 2^24.
+template <class F, class Gradient>
+Gradient gradient_product(std::int64_t numerator, const typename F::Reciprocal& reciprocal, int n) {
+  constexpr int kCut = 24;
+  constexpr std::int64_t kLow = (std::int64_t(1) << kCut) - 1;
+  const std::int64_t r = raw(reciprocal);
+  const std::int64_t half = n > 0 ? std::int64_t(1) << (n - 1) : 0;
+  const std::int64_t low = (numerator & kLow) * r + half;
+  const std::int64_t high = (numerator >> kCut) * r + (low >> kCut);
+  const std::uint64_t wide = std::uint64_t(high) << (n < kCut ? kCut - n : 0) | std::uint64_t((low & kLow) >> (n < kCut ? n : 0));
+  return from_raw<Gradient>(n < kCut ? std::int64_t(wide) : high >> (n - kCut));
+}
+
+// PlaneValue has b integer and g fraction bits, PlaneGradient the same, signed.
+template <class F, class PlaneValue, class PlaneGradient, class Value>
+Plane<PlaneValue, PlaneGradient> plane_setup(const PlaneBase<F>& base, const Value& v0, const Value& v1,
+                                             const Value& v2) {
+  constexpr int kFraction = PlaneValue::kFraction;
+  using Numerator = fix<F::numerator_bits(Value::kWidth), Value::kInteger + F::kCoordInteger + 2>;
+  // Gradients have g fraction bits and distances f: the start is summed with all of them.
+  using Start = fix<PlaneValue::kWidth + F::kSubpixelBits, PlaneValue::kInteger>;
+
+  const auto dv1 = v1 - v0;
+  const auto dv2 = v2 - v0;
+  const Numerator numerator_x = dv1 * base.dy2 - dv2 * base.dy1;
+  const Numerator numerator_y = dv2 * base.dx1 - dv1 * base.dx2;
+  // A sub-pixel over a sub-pixel squared, times 2^f sub-pixels in a pixel, to g fraction bits of N·R·2^−(r+s).
+  const int n = int(raw(base.inverse.shift)) + F::kReciprocalFraction - F::kSubpixelBits - kFraction;
+
+  Plane<PlaneValue, PlaneGradient> plane;
+  plane.dx = gradient_product<F, PlaneGradient>(raw(numerator_x), base.inverse.reciprocal, n);
+  plane.dy = gradient_product<F, PlaneGradient>(raw(numerator_y), base.inverse.reciprocal, n);
+
+  // Dropping the low f bits changes no rounded value: every later step is a multiple of 2^−g.
+  const Start along_x = plane.dx * base.dx;
+  const Start along_y = plane.dy * base.dy;
+  const ufix<Value::kWidth + 1, Value::kInteger> half = from_raw<ufix<Value::kWidth + 1, Value::kInteger>>(1);
+  const Start first = v0 + half;
+  const Start sum_x = first + along_x;
+  plane.start = sum_x + along_y;
+  return plane;
+}
+
+}  // namespace halfspace
+
+#endif  // HALFSPACE_HLS_PLANE_HPP_

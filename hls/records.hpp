@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+// The records that travel between the units, one struct a stream.
+//
+// visit() names the fields once, in the order of a SystemVerilog packed struct: the first is the most significant.
+// Packing, manifests, the RTL package and the reports of mismatches all read the layout from there. Fields that
+// come once a lane stand last, lane 0 in the least significant place.
+#ifndef HALFSPACE_HLS_RECORDS_HPP_
+#define HALFSPACE_HLS_RECORDS_HPP_
+
+#include "formats.hpp"
+
+namespace halfspace {
+
+using Bit = ufix<1, 1>;
+
+// A frame's registers: stable from its first triangle to its last pixel.
+template <class F>
+struct Frame {
+  typename F::X width;   // 1 … F::kWidth pixels
+  typename F::Y height;  // 1 … F::kHeight pixels
+  typename F::Colour r, g, b;  // background
+};
+
+// vertices → triangle_setup. Either winding. Index 0 with three equal vertices is no triangle at all: it carries
+// `last` for a frame without triangles.
+template <class F>
+struct Triangle {
+  static constexpr const char* kStream = "triangle";
+  Bit last;  // of the frame
+  typename F::Index index;
+  typename F::Coord x[3], y[3];
+  typename F::Depth depth[3];
+  typename F::Colour r[3], g[3], b[3];
+
+  template <class V>
+  void visit(V&& v) {
+    v("last", last), v("index", index);
+    v("x0", x[0]), v("x1", x[1]), v("x2", x[2]);
+    v("y0", y[0]), v("y1", y[1]), v("y2", y[2]);
+    v("depth0", depth[0]), v("depth1", depth[1]), v("depth2", depth[2]);
+    v("r0", r[0]), v("r1", r[1]), v("r2", r[2]);
+    v("g0", g[0]), v("g1", g[1]), v("g2", g[2]);
+    v("b0", b[0]), v("b1", b[1]), v("b2", b[2]);
+  }
+};
+
+// triangle_setup → raster_pineda, one a triangle. Positions in stamps.
+template <class F>
+struct Setup {
+  static constexpr const char* kStream = "setup";
+  Bit last;
+  Bit empty;  // no pixel centre of the frame lies in the bounding box, or the area is zero; the rest then means nothing
+  typename F::Index index;
+  typename F::X x_min, x_max, x_start;  // bounding box in the frame; where to look first in its top row
+  typename F::Y y_min, y_max;
+  // Edge functions at the centre of the first pixel of stamp (x_start, y_min): inside is >= 0 in all three.
+  typename F::EdgeStep e[3];
+  typename F::Delta e_dx[3], e_dy[3];  // steps of one pixel
+  typename F::DepthPlane depth;        // at the same centre, ½ included
+  typename F::DepthGradient depth_dx, depth_dy;
+
+  template <class V>
+  void visit(V&& v) {
+    v("last", last), v("empty", empty), v("index", index);
+    v("x_min", x_min), v("x_max", x_max), v("x_start", x_start);
+    v("y_min", y_min), v("y_max", y_max);
+    v("e0", e[0]), v("e1", e[1]), v("e2", e[2]);
+    v("e0_dx", e_dx[0]), v("e1_dx", e_dx[1]), v("e2_dx", e_dx[2]);
+    v("e0_dy", e_dy[0]), v("e1_dy", e_dy[1]), v("e2_dy", e_dy[2]);
+    v("depth", depth), v("depth_dx", depth_dx), v("depth_dy", depth_dy);
+  }
+};
+
+// triangle_setup → shade_setup: what the colour planes need, of each triangle that is not empty and of the last.
+template <class F>
+struct Attributes {
+  static constexpr const char* kStream = "attributes";
+  Bit last;
+  Bit empty;
+  typename F::Index index;
+  typename F::Coord x, y;  // vertex 0
+  typename F::Delta dx1, dy1, dx2, dy2;
+  typename F::Shift shift;
+  typename F::Reciprocal reciprocal;
+  typename F::Colour r[3], g[3], b[3];
+
+  template <class V>
+  void visit(V&& v) {
+    v("last", last), v("empty", empty), v("index", index);
+    v("x", x), v("y", y);
+    v("dx1", dx1), v("dy1", dy1), v("dx2", dx2), v("dy2", dy2);
+    v("shift", shift), v("reciprocal", reciprocal);
+    v("r0", r[0]), v("r1", r[1]), v("r2", r[2]);
+    v("g0", g[0]), v("g1", g[1]), v("g2", g[2]);
+    v("b0", b[0]), v("b1", b[1]), v("b2", b[2]);
+  }
+};
+
+// shade_setup → TdbS, the triangle database for shading: the entry of triangle `index`.
+template <class F>
+struct Planes {
+  static constexpr const char* kStream = "planes";
+  Bit last;
+  Bit empty;  // nothing to store
+  typename F::Index index;
+  typename F::ColourPlane r;  // at the centre of pixel (0, 0) of the frame, ½ included
+  typename F::ColourGradient r_dx, r_dy;
+  typename F::ColourPlane g;
+  typename F::ColourGradient g_dx, g_dy;
+  typename F::ColourPlane b;
+  typename F::ColourGradient b_dx, b_dy;
+
+  template <class V>
+  void visit(V&& v) {
+    v("last", last), v("empty", empty), v("index", index);
+    v("r", r), v("r_dx", r_dx), v("r_dy", r_dy);
+    v("g", g), v("g_dx", g_dx), v("g_dy", g_dy);
+    v("b", b), v("b_dx", b_dx), v("b_dy", b_dy);
+  }
+};
+
+// raster_pineda → ztest_index: a stamp with a covered pixel. A triangle that covers none sends one with an empty
+// mask, for the end of the triangle.
+template <class F>
+struct Stamp {
+  static constexpr const char* kStream = "stamp";
+  Bit last;           // of the frame
+  Bit triangle_last;  // of the triangle
+  typename F::Index index;
+  typename F::X x;  // in stamps
+  typename F::Y y;
+  Bit mask[F::kLanes];
+  typename F::Depth depth[F::kLanes];  // of the plane, also where the mask is 0 and it means nothing
+
+  template <class V>
+  void visit(V&& v) {
+    v("last", last), v("triangle_last", triangle_last), v("index", index), v("x", x), v("y", y);
+    v.lanes("mask", mask), v.lanes("depth", depth);
+  }
+};
+
+// ztest_index → I-buffer and Z-buffer: a write, of a stamp of which a fragment passed.
+template <class F>
+struct Update {
+  static constexpr const char* kStream = "update";
+  typename F::Index index;
+  typename F::X x;  // in stamps
+  typename F::Y y;
+  Bit mask[F::kLanes];  // lanes that passed
+  typename F::Depth depth[F::kLanes];
+
+  template <class V>
+  void visit(V&& v) {
+    v("index", index), v("x", x), v("y", y);
+    v.lanes("mask", mask), v.lanes("depth", depth);
+  }
+};
+
+// ztest_index → geometry: a triangle is done, and a fragment of it passed or none did.
+template <class F>
+struct Visible {
+  static constexpr const char* kStream = "visible";
+  Bit last;
+  Bit visible;
+  typename F::Index index;
+
+  template <class V>
+  void visit(V&& v) {
+    v("last", last), v("visible", visible), v("index", index);
+  }
+};
+
+// scan_index → shade_gouraud: a stamp of the finished I-buffer, rows downward, stamps to the right.
+template <class F>
+struct Scan {
+  static constexpr const char* kStream = "scan";
+  Bit last;
+  typename F::X x;  // in stamps
+  typename F::Y y;
+  typename F::Index index[F::kLanes];  // lanes outside the frame: 0
+
+  template <class V>
+  void visit(V&& v) {
+    v("last", last), v("x", x), v("y", y);
+    v.lanes("index", index);
+  }
+};
+
+// shade_gouraud → frame, in the order of scan.
+template <class F>
+struct Pixel {
+  static constexpr const char* kStream = "pixel";
+  Bit last;
+  typename F::X x;  // in stamps
+  typename F::Y y;
+  typename F::Colour r[F::kLanes], g[F::kLanes], b[F::kLanes];
+
+  template <class V>
+  void visit(V&& v) {
+    v("last", last), v("x", x), v("y", y);
+    v.lanes("r", r), v.lanes("g", g), v.lanes("b", b);
+  }
+};
+
+}  // namespace halfspace
+
+#endif  // HALFSPACE_HLS_RECORDS_HPP_

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// The plane-equation Gouraud shader at scan-out (dual pipeline): colour = floor(C + A·x + B·y), C with its ½.
+//
+// A stamp shows few triangles, mostly one. A cycle shades all lanes of one triangle: one entry is read from TdbS, one set
+// of six multipliers gives the planes at the first pixel of the stamp, and an addition a lane the rest. Background lanes
+// count as a triangle of their own. Cycles of a stamp: the number of different indices in it.
+#ifndef HALFSPACE_HLS_SHADE_GOURAUD_HPP_
+#define HALFSPACE_HLS_SHADE_GOURAUD_HPP_
+
+#include "records.hpp"
+#include "stream.hpp"
+
+namespace halfspace {
+
+// Triangle database for shading: entry index − 1.
+template <class F>
+struct ShadingDatabase {
+  Planes<F> planes[F::kTriangles];
+};
+
+// Stores what shade_setup sends, one entry a call. Returns whether it was the last of the frame.
+template <class F>
+bool store_planes(Stream<Planes<F>>& planes, ShadingDatabase<F>& database) {
+  const Planes<F> in = planes.read();
+  if (!raw(in.empty)) database.planes[int(raw(in.index)) - 1] = in;
+  return raw(in.last) != 0;
+}
+
+// The colours of one plane in the lanes that `shade` names, from pixel (x, y) on.
+template <class F>
+void shade_lanes(const typename F::ColourPlane& origin, const typename F::ColourGradient& dx,
+                 const typename F::ColourGradient& dy, int x, int y, const bool (&shade)[F::kLanes],
+                 typename F::Colour (&colour)[F::kLanes]) {
+  using Plane = typename F::ColourPlane;
+  const Plane along_x = dx * from_raw<typename F::X>(x);
+  const Plane along_y = dy * from_raw<typename F::Y>(y);
+  const Plane start_x = origin + along_x;
+  const Plane start = start_x + along_y;
+Lanes:
+  for (int l = 0; l < F::kLanes; ++l) {
+    HS_UNROLL
+    const std::int64_t step = std::int64_t(raw(dx)) * (l % F::kLanesX) + std::int64_t(raw(dy)) * (l / F::kLanesX);
+    const Plane value = start + from_raw<Plane>(step);
+    const typename F::Colour rounded = value;
+    colour[l] = shade[l] ? rounded : colour[l];
+  }
+}
+
+template <class F>
+void shade_gouraud(const Frame<F>& frame, Stream<Scan<F>>& scan, const ShadingDatabase<F>& database,
+                   Stream<Pixel<F>>& pixel) {
+  const Scan<F> in = scan.read();
+  const int x = int(raw(in.x)) << F::kLog2LanesX, y = int(raw(in.y)) << F::kLog2LanesY;
+  Pixel<F> out;
+  out.last = in.last;
+  out.x = in.x;
+  out.y = in.y;
+  bool waits[F::kLanes];
+Background:
+  for (int l = 0; l < F::kLanes; ++l) {
+    HS_UNROLL
+    waits[l] = raw(in.index[l]) != 0;
+    out.r[l] = frame.r;
+    out.g[l] = frame.g;
+    out.b[l] = frame.b;
+  }
+Triangles:
+  for (int n = 0; n < F::kLanes; ++n) {
+    HS_PIPELINE(1)
+    int index = 0;  // of the first lane that waits
+  Pick:
+    for (int l = F::kLanes - 1; l >= 0; --l) {
+      HS_UNROLL
+      index = waits[l] ? int(raw(in.index[l])) : index;
+    }
+    if (index == 0) break;
+    bool shade[F::kLanes];
+  Match:
+    for (int l = 0; l < F::kLanes; ++l) {
+      HS_UNROLL
+      shade[l] = int(raw(in.index[l])) == index;
+      waits[l] = waits[l] && !shade[l];
+    }
+    const Planes<F>& planes = database.planes[index - 1];
+    shade_lanes<F>(planes.r, planes.r_dx, planes.r_dy, x, y, shade, out.r);
+    shade_lanes<F>(planes.g, planes.g_dx, planes.g_dy, x, y, shade, out.g);
+    shade_lanes<F>(planes.b, planes.b_dx, planes.b_dy, x, y, shade, out.b);
+  }
+  pixel.write(out);
+}
+
+}  // namespace halfspace
+
+#endif  // HALFSPACE_HLS_SHADE_GOURAUD_HPP_

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// The colour planes of a triangle, for TdbS. The reciprocal is the one of the triangle setup.
+#ifndef HALFSPACE_HLS_SHADE_SETUP_HPP_
+#define HALFSPACE_HLS_SHADE_SETUP_HPP_
+
+#include "plane.hpp"
+
+namespace halfspace {
+
+template <class F>
+void shade_setup(Stream<Attributes<F>>& attributes, Stream<Planes<F>>& planes) {
+  using Coord = typename F::Coord;
+  using Value = typename F::ColourPlane;
+  using Gradient = typename F::ColourGradient;
+  const Attributes<F> in = attributes.read();
+
+  Planes<F> out{};
+  out.last = in.last;
+  out.empty = in.empty;
+  out.index = in.index;
+  if (!raw(in.empty)) {
+    const Coord centre = from_raw<Coord>(1 << (F::kSubpixelBits - 1));  // of pixel 0
+    PlaneBase<F> base;
+    base.dx1 = in.dx1;
+    base.dy1 = in.dy1;
+    base.dx2 = in.dx2;
+    base.dy2 = in.dy2;
+    base.inverse.shift = in.shift;
+    base.inverse.reciprocal = in.reciprocal;
+    base.dx = centre - in.x;
+    base.dy = centre - in.y;
+    const auto r = plane_setup<F, Value, Gradient>(base, in.r[0], in.r[1], in.r[2]);
+    const auto g = plane_setup<F, Value, Gradient>(base, in.g[0], in.g[1], in.g[2]);
+    const auto b = plane_setup<F, Value, Gradient>(base, in.b[0], in.b[1], in.b[2]);
+    out.r = r.start;
+    out.r_dx = r.dx;
+    out.r_dy = r.dy;
+    out.g = g.start;
+    out.g_dx = g.dx;
+    out.g_dy = g.dy;
+    out.b = b.start;
+    out.b_dx = b.dx;
+    out.b_dy = b.dy;
+  }
+  planes.write(out);
+}
+
+}  // namespace halfspace
+
+#endif  // HALFSPACE_HLS_SHADE_SETUP_HPP_

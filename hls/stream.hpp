@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// Streams between kernels, and the pragmas. Natively a stream is an unbounded queue; a synthesis back end maps
+// Stream<T> to hls::stream<T> or ac_channel<T> and the macros to its own pragmas.
+#ifndef HALFSPACE_HLS_STREAM_HPP_
+#define HALFSPACE_HLS_STREAM_HPP_
+
+#if defined(__VITIS_HLS__) || defined(__SYNTHESIS__)
+#include <hls_stream.h>
+#define HS_PRAGMA(x) _Pragma(#x)
+#define HS_PIPELINE(interval) HS_PRAGMA(HLS PIPELINE II = interval)
+#define HS_UNROLL HS_PRAGMA(HLS UNROLL)
+#define HS_DATAFLOW HS_PRAGMA(HLS DATAFLOW)
+namespace halfspace {
+template <class T>
+using Stream = hls::stream<T>;
+template <class T>
+struct Probe {
+  void write(const T&) {}
+};
+}  // namespace halfspace
+#else
+#include <cassert>
+#include <cstddef>
+#include <vector>
+#define HS_PIPELINE(interval)
+#define HS_UNROLL
+#define HS_DATAFLOW
+
+namespace halfspace {
+
+// First in, first out. Reading an empty stream is an error of the caller: in hardware it would wait for ever.
+template <class T>
+class Stream {
+ public:
+  void write(const T& value) {
+    queue_.push_back(value);
+    if (tap_) tap_->push_back(value);
+  }
+
+  T read() {
+    assert(!empty() && "read from an empty stream");
+    const T value = queue_[head_];
+    if (++head_ == queue_.size()) {
+      queue_.clear();
+      head_ = 0;
+    }
+    return value;
+  }
+
+  bool empty() const { return head_ == queue_.size(); }
+
+  // Simulation only: copies every later write to `sink` (null: to nowhere).
+  void tap(std::vector<T>* sink) { tap_ = sink; }
+
+ private:
+  std::vector<T> queue_;
+  std::size_t head_ = 0;
+  std::vector<T>* tap_ = nullptr;
+};
+
+// A place to watch from, no wire of the circuit: what is written goes to the tap or nowhere.
+template <class T>
+class Probe {
+ public:
+  void write(const T& value) {
+    if (tap_) tap_->push_back(value);
+  }
+  void tap(std::vector<T>* sink) { tap_ = sink; }
+
+ private:
+  std::vector<T>* tap_ = nullptr;
+};
+
+}  // namespace halfspace
+#endif
+
+#endif  // HALFSPACE_HLS_STREAM_HPP_

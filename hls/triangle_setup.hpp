@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+// Triangle setup: edge functions, bounding box, the reciprocal of the area and the plane of depth (dual pipeline).
+//
+// The vertices are put in one order: vertex 0 is the topmost, of these the leftmost; 1 and 2 follow clockwise on the
+// screen, D > 0. All six orders of three vertices therefore give the same bits. With that order
+//
+//   E_i(p) = dx_i·(p.y − y_i) − dy_i·(p.x − x_i) > 0 inside, (dx_i, dy_i) the edge from vertex i to the next,
+//
+// and an edge includes its own points iff dy < 0, or dy = 0 and dx > 0 (top-left rule): else 1 is taken off.
+// Interval of the RTL: F::kReciprocalFraction + 2 cycles of division and four more; two for a triangle that is empty.
+#ifndef HALFSPACE_HLS_TRIANGLE_SETUP_HPP_
+#define HALFSPACE_HLS_TRIANGLE_SETUP_HPP_
+
+#include "plane.hpp"
+
+namespace halfspace {
+
+// The order above, of a triangle and of the edges that leave its vertex 0.
+template <class F>
+struct OrderedTriangle {
+  Triangle<F> vertices;
+  typename F::Delta dx1, dy1, dx2, dy2;
+  typename F::Area area;  // D
+};
+
+template <class F>
+OrderedTriangle<F> order_vertices(const Triangle<F>& in) {
+  const bool above_1 = in.y[1] < in.y[0] || (in.y[1] == in.y[0] && in.x[1] < in.x[0]);
+  const int best_01 = above_1 ? 1 : 0;
+  const bool above_2 =
+      in.y[2] < in.y[best_01] || (in.y[2] == in.y[best_01] && in.x[2] < in.x[best_01]);
+  const int from[5] = {0, 1, 2, 0, 1};
+  const int first = above_2 ? 2 : best_01;
+
+  using Coord = typename F::Coord;
+  const Coord x0 = in.x[first], y0 = in.y[first];
+  const int a = from[first + 1], b = from[first + 2];
+  const typename F::Delta dxa = in.x[a] - x0, dya = in.y[a] - y0;
+  const typename F::Delta dxb = in.x[b] - x0, dyb = in.y[b] - y0;
+  const typename F::SignedArea cross = dxa * dyb - dya * dxb;
+  const bool swap = raw(cross) < 0;
+
+  OrderedTriangle<F> out;
+  out.vertices.last = in.last;
+  out.vertices.index = in.index;
+  const int order[3] = {first, swap ? b : a, swap ? a : b};
+Vertices:
+  for (int i = 0; i < 3; ++i) {
+    HS_UNROLL
+    const int v = order[i];
+    out.vertices.x[i] = in.x[v];
+    out.vertices.y[i] = in.y[v];
+    out.vertices.depth[i] = in.depth[v];
+    out.vertices.r[i] = in.r[v];
+    out.vertices.g[i] = in.g[v];
+    out.vertices.b[i] = in.b[v];
+  }
+  out.dx1 = swap ? dxb : dxa;
+  out.dy1 = swap ? dyb : dya;
+  out.dx2 = swap ? dxa : dxb;
+  out.dy2 = swap ? dya : dyb;
+  out.area = from_raw<typename F::Area>(swap ? -raw(cross) : raw(cross));
+  return out;
+}
+
+// The pixels whose centres lie in [min, max], cut to 0 … size − 1: first > last if there are none.
+template <class F>
+struct PixelRange {
+  int first, last;
+};
+template <class F>
+PixelRange<F> pixel_range(const typename F::Coord& a, const typename F::Coord& b, const typename F::Coord& c,
+                          int size) {
+  constexpr int kHalf = 1 << (F::kSubpixelBits - 1);
+  const int low = int(raw(a < b ? (a < c ? a : c) : (b < c ? b : c)));
+  const int high = int(raw(a > b ? (a > c ? a : c) : (b > c ? b : c)));
+  const int first = (low + kHalf - 1) >> F::kSubpixelBits;  // ceil(low − ½)
+  const int last = (high - kHalf) >> F::kSubpixelBits;      // floor(high − ½)
+  PixelRange<F> range;
+  range.first = first < 0 ? 0 : first;
+  range.last = last > size - 1 ? size - 1 : last;
+  return range;
+}
+
+// The edge function from (x, y) along (dx, dy) at p, tie rule and dropped bits included.
+template <class F>
+typename F::EdgeStep edge_start(const typename F::Coord& x, const typename F::Coord& y, const typename F::Delta& dx,
+                                const typename F::Delta& dy, const typename F::Coord& px, const typename F::Coord& py) {
+  const typename F::Delta along_x = px - x;
+  const typename F::Delta along_y = py - y;
+  const typename F::Edge cross = dx * along_y - dy * along_x;
+  const bool inclusive = raw(dy) < 0 || (raw(dy) == 0 && raw(dx) > 0);
+  const typename F::Edge biased = from_raw<typename F::Edge>(raw(cross) - (inclusive ? 0 : 1));
+  return biased;
+}
+
+template <class F>
+void triangle_setup(const Frame<F>& frame, Stream<Triangle<F>>& triangle, Stream<Setup<F>>& setup,
+                    Stream<Attributes<F>>& attributes) {
+  using Coord = typename F::Coord;
+  const OrderedTriangle<F> t = order_vertices<F>(triangle.read());
+  const Coord* x = t.vertices.x;
+  const Coord* y = t.vertices.y;
+
+  const PixelRange<F> columns = pixel_range<F>(x[0], x[1], x[2], int(raw(frame.width)));
+  const PixelRange<F> rows = pixel_range<F>(y[0], y[1], y[2], int(raw(frame.height)));
+  const bool empty = raw(t.area) == 0 || columns.first > columns.last || rows.first > rows.last;
+
+  Setup<F> out{};
+  out.last = t.vertices.last;
+  out.empty = from_raw<Bit>(empty);
+  out.index = t.vertices.index;
+  Attributes<F> shade{};
+  shade.last = out.last;
+  shade.empty = out.empty;
+  shade.index = out.index;
+
+  if (!empty) {
+    // Below the topmost vertex, the triangle's first row is nearest to it.
+    const int top = int(raw(x[0])) >> F::kSubpixelBits;
+    const int start = top < columns.first ? columns.first : top > columns.last ? columns.last : top;
+    const int x_start = start >> F::kLog2LanesX, y_start = rows.first >> F::kLog2LanesY;
+    out.x_min = from_raw<typename F::X>(columns.first >> F::kLog2LanesX);
+    out.x_max = from_raw<typename F::X>(columns.last >> F::kLog2LanesX);
+    out.x_start = from_raw<typename F::X>(x_start);
+    out.y_min = from_raw<typename F::Y>(y_start);
+    out.y_max = from_raw<typename F::Y>(rows.last >> F::kLog2LanesY);
+
+    constexpr int kHalf = 1 << (F::kSubpixelBits - 1);
+    const Coord px = from_raw<Coord>((x_start << (F::kLog2LanesX + F::kSubpixelBits)) + kHalf);
+    const Coord py = from_raw<Coord>((y_start << (F::kLog2LanesY + F::kSubpixelBits)) + kHalf);
+
+  Edges:
+    for (int i = 0; i < 3; ++i) {
+      HS_UNROLL
+      const int next = i == 2 ? 0 : i + 1;
+      const typename F::Delta dx = x[next] - x[i], dy = y[next] - y[i];
+      out.e[i] = edge_start<F>(x[i], y[i], dx, dy, px, py);
+      out.e_dx[i] = -dy;
+      out.e_dy[i] = dx;
+    }
+
+    PlaneBase<F> base;
+    base.dx1 = t.dx1;
+    base.dy1 = t.dy1;
+    base.dx2 = t.dx2;
+    base.dy2 = t.dy2;
+    base.inverse = area_reciprocal<F>(t.area);
+    base.dx = px - x[0];
+    base.dy = py - y[0];
+    const auto depth = plane_setup<F, typename F::DepthPlane, typename F::DepthGradient>(
+        base, t.vertices.depth[0], t.vertices.depth[1], t.vertices.depth[2]);
+    out.depth = depth.start;
+    out.depth_dx = depth.dx;
+    out.depth_dy = depth.dy;
+
+    shade.x = x[0];
+    shade.y = y[0];
+    shade.dx1 = t.dx1;
+    shade.dy1 = t.dy1;
+    shade.dx2 = t.dx2;
+    shade.dy2 = t.dy2;
+    shade.shift = base.inverse.shift;
+    shade.reciprocal = base.inverse.reciprocal;
+  Colours:
+    for (int i = 0; i < 3; ++i) {
+      HS_UNROLL
+      shade.r[i] = t.vertices.r[i];
+      shade.g[i] = t.vertices.g[i];
+      shade.b[i] = t.vertices.b[i];
+    }
+  }
+  setup.write(out);
+  if (!empty || raw(out.last)) attributes.write(shade);
+}
+
+}  // namespace halfspace
+
+#endif  // HALFSPACE_HLS_TRIANGLE_SETUP_HPP_

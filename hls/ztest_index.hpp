@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// The Z-test with an index buffer (index rendering, type δ): the Z-buffer and the I-buffer are tested and updated
+// together, and a triangle of which no fragment passed is reported invisible.
+//
+// A fragment passes when its depth is less than the stored one; the first drawn wins a tie. A pixel of index 0 has
+// nothing stored and counts as farthest, 2^b − 1, whatever its depth word holds: clearing the I-buffer clears both.
+// A stamp a cycle.
+#ifndef HALFSPACE_HLS_ZTEST_INDEX_HPP_
+#define HALFSPACE_HLS_ZTEST_INDEX_HPP_
+
+#include "records.hpp"
+#include "stream.hpp"
+
+namespace halfspace {
+
+template <class F>
+struct IndexBuffer {
+  typename F::Index index[F::kStamps][F::kLanes];
+};
+template <class F>
+struct DepthBuffer {
+  typename F::Depth depth[F::kStamps][F::kLanes];
+};
+
+// The stamps of one triangle.
+template <class F>
+void ztest_index(Stream<Stamp<F>>& stamp, IndexBuffer<F>& index_buffer, DepthBuffer<F>& depth_buffer,
+                 Probe<Update<F>>& update, Stream<Visible<F>>& visible) {
+  using Depth = typename F::Depth;
+  const Depth farthest = from_raw<Depth>((std::int64_t(1) << F::kDepthBits) - 1);
+  bool any_of_triangle = false;
+  bool done = false;
+Stamps:
+  for (int n = 0; n < F::kStamps && !done; ++n) {
+    HS_PIPELINE(1)
+    const Stamp<F> in = stamp.read();
+    const int address = int(raw(in.y)) * F::kStampsX + int(raw(in.x));
+    typename F::Index* const stored_index = index_buffer.index[address];
+    Depth* const stored_depth = depth_buffer.depth[address];
+
+    Update<F> out;
+    out.index = in.index;
+    out.x = in.x;
+    out.y = in.y;
+    unsigned any = 0;
+  Lanes:
+    for (int l = 0; l < F::kLanes; ++l) {
+      HS_UNROLL
+      const bool nothing = raw(stored_index[l]) == 0;
+      const Depth old = nothing ? farthest : stored_depth[l];
+      const unsigned pass = unsigned(raw(in.mask[l])) & unsigned(in.depth[l] < old);
+      any |= pass;
+      out.mask[l] = from_raw<Bit>(pass);
+      out.depth[l] = in.depth[l];
+      stored_index[l] = pass ? in.index : stored_index[l];
+      stored_depth[l] = pass ? in.depth[l] : stored_depth[l];
+    }
+    if (any) update.write(out);
+    any_of_triangle = any_of_triangle || any;
+    done = raw(in.triangle_last) != 0;
+    if (done) {
+      Visible<F> result;
+      result.last = in.last;
+      result.visible = from_raw<Bit>(any_of_triangle);
+      result.index = in.index;
+      visible.write(result);
+    }
+  }
+}
+
+}  // namespace halfspace
+
+#endif  // HALFSPACE_HLS_ZTEST_INDEX_HPP_
