@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+// Number formats of configuration `high`. Printed by `halfspace package --config high` from hls/formats.hpp
+// and hls/records.hpp: change those, not this file.
+package hs_formats_pkg;
+
+  localparam int unsigned MaxWidth = 1920;
+  localparam int unsigned MaxHeight = 1080;
+  localparam int unsigned Triangles = 262144;
+  localparam int unsigned XBits = 11;
+  localparam int unsigned YBits = 11;
+  localparam int unsigned IndexBits = 19;
+  localparam int unsigned SubpixelBits = 8;
+  localparam int unsigned CoordBits = 22;
+  localparam int unsigned DeltaBits = 23;
+  localparam int unsigned AreaBits = 44;
+  localparam int unsigned EdgeBits = 45;
+  localparam int unsigned EdgeStepBits = 37;
+  localparam int unsigned ReciprocalFraction = 28;
+  localparam int unsigned ReciprocalBits = 29;
+  localparam int unsigned ShiftBits = 6;
+  localparam int unsigned DepthBits = 24;
+  localparam int unsigned DepthFraction = 15;
+  localparam int unsigned DepthPlaneBits = 39;
+  localparam int unsigned ColourBits = 8;
+  localparam int unsigned ColourFraction = 18;
+  localparam int unsigned ColourPlaneBits = 26;
+
+  typedef logic [10:0] x_t;
+  typedef logic [10:0] y_t;
+  typedef logic [18:0] index_t;
+  typedef logic signed [21:0] coord_t;
+  typedef logic signed [22:0] delta_t;
+  typedef logic [43:0] area_t;
+  typedef logic signed [36:0] edge_step_t;
+  typedef logic [28:0] reciprocal_t;
+  typedef logic [5:0] shift_t;
+  typedef logic [23:0] depth_t;
+  typedef logic [38:0] depth_plane_t;
+  typedef logic signed [38:0] depth_gradient_t;
+  typedef logic [7:0] colour_t;
+  typedef logic [25:0] colour_plane_t;
+  typedef logic signed [25:0] colour_gradient_t;
+
+  typedef struct packed {
+    logic last;
+    logic [18:0] index;
+    logic signed [21:0] x0;
+    logic signed [21:0] x1;
+    logic signed [21:0] x2;
+    logic signed [21:0] y0;
+    logic signed [21:0] y1;
+    logic signed [21:0] y2;
+    logic [23:0] depth0;
+    logic [23:0] depth1;
+    logic [23:0] depth2;
+    logic [7:0] r0;
+    logic [7:0] r1;
+    logic [7:0] r2;
+    logic [7:0] g0;
+    logic [7:0] g1;
+    logic [7:0] g2;
+    logic [7:0] b0;
+    logic [7:0] b1;
+    logic [7:0] b2;
+  } triangle_t;
+
+  typedef struct packed {
+    logic last;
+    logic empty;
+    logic [18:0] index;
+    logic [10:0] x_min;
+    logic [10:0] x_max;
+    logic [10:0] x_start;
+    logic [10:0] y_min;
+    logic [10:0] y_max;
+    logic signed [36:0] e0;
+    logic signed [36:0] e1;
+    logic signed [36:0] e2;
+    logic signed [22:0] e0_dx;
+    logic signed [22:0] e1_dx;
+    logic signed [22:0] e2_dx;
+    logic signed [22:0] e0_dy;
+    logic signed [22:0] e1_dy;
+    logic signed [22:0] e2_dy;
+    logic [38:0] depth;
+    logic signed [38:0] depth_dx;
+    logic signed [38:0] depth_dy;
+  } setup_t;
+
+  typedef struct packed {
+    logic last;
+    logic empty;
+    logic [18:0] index;
+    logic signed [21:0] x;
+    logic signed [21:0] y;
+    logic signed [22:0] dx1;
+    logic signed [22:0] dy1;
+    logic signed [22:0] dx2;
+    logic signed [22:0] dy2;
+    logic [5:0] shift;
+    logic [28:0] reciprocal;
+    logic [7:0] r0;
+    logic [7:0] r1;
+    logic [7:0] r2;
+    logic [7:0] g0;
+    logic [7:0] g1;
+    logic [7:0] g2;
+    logic [7:0] b0;
+    logic [7:0] b1;
+    logic [7:0] b2;
+  } attributes_t;
+
+  typedef struct packed {
+    logic last;
+    logic empty;
+    logic [18:0] index;
+    logic [25:0] r;
+    logic signed [25:0] r_dx;
+    logic signed [25:0] r_dy;
+    logic [25:0] g;
+    logic signed [25:0] g_dx;
+    logic signed [25:0] g_dy;
+    logic [25:0] b;
+    logic signed [25:0] b_dx;
+    logic signed [25:0] b_dy;
+  } planes_t;
+
+  // stamp: {stamp_head_t, mask[Lanes], depth[Lanes][23:0]}
+  typedef struct packed {
+    logic last;
+    logic triangle_last;
+    logic [18:0] index;
+    logic [10:0] x;
+    logic [10:0] y;
+  } stamp_head_t;
+
+  // update: {update_head_t, mask[Lanes], depth[Lanes][23:0]}
+  typedef struct packed {
+    logic [18:0] index;
+    logic [10:0] x;
+    logic [10:0] y;
+  } update_head_t;
+
+  typedef struct packed {
+    logic last;
+    logic visible;
+    logic [18:0] index;
+  } visible_t;
+
+  // scan: {scan_head_t, index[Lanes][18:0]}
+  typedef struct packed {
+    logic last;
+    logic [10:0] x;
+    logic [10:0] y;
+  } scan_head_t;
+
+  // pixel: {pixel_head_t, r[Lanes][7:0], g[Lanes][7:0], b[Lanes][7:0]}
+  typedef struct packed {
+    logic last;
+    logic [10:0] x;
+    logic [10:0] y;
+  } pixel_head_t;
+
+endpackage

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+// Number formats of configuration `low`. Printed by `halfspace package --config low` from hls/formats.hpp
+// and hls/records.hpp: change those, not this file.
+package hs_formats_pkg;
+
+  localparam int unsigned MaxWidth = 320;
+  localparam int unsigned MaxHeight = 200;
+  localparam int unsigned Triangles = 4096;
+  localparam int unsigned XBits = 9;
+  localparam int unsigned YBits = 8;
+  localparam int unsigned IndexBits = 13;
+  localparam int unsigned SubpixelBits = 4;
+  localparam int unsigned CoordBits = 14;
+  localparam int unsigned DeltaBits = 15;
+  localparam int unsigned AreaBits = 28;
+  localparam int unsigned EdgeBits = 29;
+  localparam int unsigned EdgeStepBits = 25;
+  localparam int unsigned ReciprocalFraction = 18;
+  localparam int unsigned ReciprocalBits = 19;
+  localparam int unsigned ShiftBits = 5;
+  localparam int unsigned DepthBits = 16;
+  localparam int unsigned DepthFraction = 13;
+  localparam int unsigned DepthPlaneBits = 29;
+  localparam int unsigned ColourBits = 8;
+  localparam int unsigned ColourFraction = 14;
+  localparam int unsigned ColourPlaneBits = 22;
+
+  typedef logic [8:0] x_t;
+  typedef logic [7:0] y_t;
+  typedef logic [12:0] index_t;
+  typedef logic signed [13:0] coord_t;
+  typedef logic signed [14:0] delta_t;
+  typedef logic [27:0] area_t;
+  typedef logic signed [24:0] edge_step_t;
+  typedef logic [18:0] reciprocal_t;
+  typedef logic [4:0] shift_t;
+  typedef logic [15:0] depth_t;
+  typedef logic [28:0] depth_plane_t;
+  typedef logic signed [28:0] depth_gradient_t;
+  typedef logic [7:0] colour_t;
+  typedef logic [21:0] colour_plane_t;
+  typedef logic signed [21:0] colour_gradient_t;
+
+  typedef struct packed {
+    logic last;
+    logic [12:0] index;
+    logic signed [13:0] x0;
+    logic signed [13:0] x1;
+    logic signed [13:0] x2;
+    logic signed [13:0] y0;
+    logic signed [13:0] y1;
+    logic signed [13:0] y2;
+    logic [15:0] depth0;
+    logic [15:0] depth1;
+    logic [15:0] depth2;
+    logic [7:0] r0;
+    logic [7:0] r1;
+    logic [7:0] r2;
+    logic [7:0] g0;
+    logic [7:0] g1;
+    logic [7:0] g2;
+    logic [7:0] b0;
+    logic [7:0] b1;
+    logic [7:0] b2;
+  } triangle_t;
+
+  typedef struct packed {
+    logic last;
+    logic empty;
+    logic [12:0] index;
+    logic [8:0] x_min;
+    logic [8:0] x_max;
+    logic [8:0] x_start;
+    logic [7:0] y_min;
+    logic [7:0] y_max;
+    logic signed [24:0] e0;
+    logic signed [24:0] e1;
+    logic signed [24:0] e2;
+    logic signed [14:0] e0_dx;
+    logic signed [14:0] e1_dx;
+    logic signed [14:0] e2_dx;
+    logic signed [14:0] e0_dy;
+    logic signed [14:0] e1_dy;
+    logic signed [14:0] e2_dy;
+    logic [28:0] depth;
+    logic signed [28:0] depth_dx;
+    logic signed [28:0] depth_dy;
+  } setup_t;
+
+  typedef struct packed {
+    logic last;
+    logic empty;
+    logic [12:0] index;
+    logic signed [13:0] x;
+    logic signed [13:0] y;
+    logic signed [14:0] dx1;
+    logic signed [14:0] dy1;
+    logic signed [14:0] dx2;
+    logic signed [14:0] dy2;
+    logic [4:0] shift;
+    logic [18:0] reciprocal;
+    logic [7:0] r0;
+    logic [7:0] r1;
+    logic [7:0] r2;
+    logic [7:0] g0;
+    logic [7:0] g1;
+    logic [7:0] g2;
+    logic [7:0] b0;
+    logic [7:0] b1;
+    logic [7:0] b2;
+  } attributes_t;
+
+  typedef struct packed {
+    logic last;
+    logic empty;
+    logic [12:0] index;
+    logic [21:0] r;
+    logic signed [21:0] r_dx;
+    logic signed [21:0] r_dy;
+    logic [21:0] g;
+    logic signed [21:0] g_dx;
+    logic signed [21:0] g_dy;
+    logic [21:0] b;
+    logic signed [21:0] b_dx;
+    logic signed [21:0] b_dy;
+  } planes_t;
+
+  // stamp: {stamp_head_t, mask[Lanes], depth[Lanes][15:0]}
+  typedef struct packed {
+    logic last;
+    logic triangle_last;
+    logic [12:0] index;
+    logic [8:0] x;
+    logic [7:0] y;
+  } stamp_head_t;
+
+  // update: {update_head_t, mask[Lanes], depth[Lanes][15:0]}
+  typedef struct packed {
+    logic [12:0] index;
+    logic [8:0] x;
+    logic [7:0] y;
+  } update_head_t;
+
+  typedef struct packed {
+    logic last;
+    logic visible;
+    logic [12:0] index;
+  } visible_t;
+
+  // scan: {scan_head_t, index[Lanes][12:0]}
+  typedef struct packed {
+    logic last;
+    logic [8:0] x;
+    logic [7:0] y;
+  } scan_head_t;
+
+  // pixel: {pixel_head_t, r[Lanes][7:0], g[Lanes][7:0], b[Lanes][7:0]}
+  typedef struct packed {
+    logic last;
+    logic [8:0] x;
+    logic [7:0] y;
+  } pixel_head_t;
+
+endpackage

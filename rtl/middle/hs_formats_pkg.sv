@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+// Number formats of configuration `middle`. Printed by `halfspace package --config middle` from hls/formats.hpp
+// and hls/records.hpp: change those, not this file.
+package hs_formats_pkg;
+
+  localparam int unsigned MaxWidth = 640;
+  localparam int unsigned MaxHeight = 480;
+  localparam int unsigned Triangles = 16384;
+  localparam int unsigned XBits = 10;
+  localparam int unsigned YBits = 9;
+  localparam int unsigned IndexBits = 15;
+  localparam int unsigned SubpixelBits = 8;
+  localparam int unsigned CoordBits = 19;
+  localparam int unsigned DeltaBits = 20;
+  localparam int unsigned AreaBits = 38;
+  localparam int unsigned EdgeBits = 39;
+  localparam int unsigned EdgeStepBits = 31;
+  localparam int unsigned ReciprocalFraction = 26;
+  localparam int unsigned ReciprocalBits = 27;
+  localparam int unsigned ShiftBits = 6;
+  localparam int unsigned DepthBits = 24;
+  localparam int unsigned DepthFraction = 14;
+  localparam int unsigned DepthPlaneBits = 38;
+  localparam int unsigned ColourBits = 8;
+  localparam int unsigned ColourFraction = 15;
+  localparam int unsigned ColourPlaneBits = 23;
+
+  typedef logic [9:0] x_t;
+  typedef logic [8:0] y_t;
+  typedef logic [14:0] index_t;
+  typedef logic signed [18:0] coord_t;
+  typedef logic signed [19:0] delta_t;
+  typedef logic [37:0] area_t;
+  typedef logic signed [30:0] edge_step_t;
+  typedef logic [26:0] reciprocal_t;
+  typedef logic [5:0] shift_t;
+  typedef logic [23:0] depth_t;
+  typedef logic [37:0] depth_plane_t;
+  typedef logic signed [37:0] depth_gradient_t;
+  typedef logic [7:0] colour_t;
+  typedef logic [22:0] colour_plane_t;
+  typedef logic signed [22:0] colour_gradient_t;
+
+  typedef struct packed {
+    logic last;
+    logic [14:0] index;
+    logic signed [18:0] x0;
+    logic signed [18:0] x1;
+    logic signed [18:0] x2;
+    logic signed [18:0] y0;
+    logic signed [18:0] y1;
+    logic signed [18:0] y2;
+    logic [23:0] depth0;
+    logic [23:0] depth1;
+    logic [23:0] depth2;
+    logic [7:0] r0;
+    logic [7:0] r1;
+    logic [7:0] r2;
+    logic [7:0] g0;
+    logic [7:0] g1;
+    logic [7:0] g2;
+    logic [7:0] b0;
+    logic [7:0] b1;
+    logic [7:0] b2;
+  } triangle_t;
+
+  typedef struct packed {
+    logic last;
+    logic empty;
+    logic [14:0] index;
+    logic [9:0] x_min;
+    logic [9:0] x_max;
+    logic [9:0] x_start;
+    logic [8:0] y_min;
+    logic [8:0] y_max;
+    logic signed [30:0] e0;
+    logic signed [30:0] e1;
+    logic signed [30:0] e2;
+    logic signed [19:0] e0_dx;
+    logic signed [19:0] e1_dx;
+    logic signed [19:0] e2_dx;
+    logic signed [19:0] e0_dy;
+    logic signed [19:0] e1_dy;
+    logic signed [19:0] e2_dy;
+    logic [37:0] depth;
+    logic signed [37:0] depth_dx;
+    logic signed [37:0] depth_dy;
+  } setup_t;
+
+  typedef struct packed {
+    logic last;
+    logic empty;
+    logic [14:0] index;
+    logic signed [18:0] x;
+    logic signed [18:0] y;
+    logic signed [19:0] dx1;
+    logic signed [19:0] dy1;
+    logic signed [19:0] dx2;
+    logic signed [19:0] dy2;
+    logic [5:0] shift;
+    logic [26:0] reciprocal;
+    logic [7:0] r0;
+    logic [7:0] r1;
+    logic [7:0] r2;
+    logic [7:0] g0;
+    logic [7:0] g1;
+    logic [7:0] g2;
+    logic [7:0] b0;
+    logic [7:0] b1;
+    logic [7:0] b2;
+  } attributes_t;
+
+  typedef struct packed {
+    logic last;
+    logic empty;
+    logic [14:0] index;
+    logic [22:0] r;
+    logic signed [22:0] r_dx;
+    logic signed [22:0] r_dy;
+    logic [22:0] g;
+    logic signed [22:0] g_dx;
+    logic signed [22:0] g_dy;
+    logic [22:0] b;
+    logic signed [22:0] b_dx;
+    logic signed [22:0] b_dy;
+  } planes_t;
+
+  // stamp: {stamp_head_t, mask[Lanes], depth[Lanes][23:0]}
+  typedef struct packed {
+    logic last;
+    logic triangle_last;
+    logic [14:0] index;
+    logic [9:0] x;
+    logic [8:0] y;
+  } stamp_head_t;
+
+  // update: {update_head_t, mask[Lanes], depth[Lanes][23:0]}
+  typedef struct packed {
+    logic [14:0] index;
+    logic [9:0] x;
+    logic [8:0] y;
+  } update_head_t;
+
+  typedef struct packed {
+    logic last;
+    logic visible;
+    logic [14:0] index;
+  } visible_t;
+
+  // scan: {scan_head_t, index[Lanes][14:0]}
+  typedef struct packed {
+    logic last;
+    logic [9:0] x;
+    logic [8:0] y;
+  } scan_head_t;
+
+  // pixel: {pixel_head_t, r[Lanes][7:0], g[Lanes][7:0], b[Lanes][7:0]}
+  typedef struct packed {
+    logic last;
+    logic [9:0] x;
+    logic [8:0] y;
+  } pixel_head_t;
+
+endpackage

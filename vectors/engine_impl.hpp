@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+// Engine for one configuration and one stamp.
+#ifndef HALFSPACE_VECTORS_ENGINE_IMPL_HPP_
+#define HALFSPACE_VECTORS_ENGINE_IMPL_HPP_
+
+#include <memory>
+
+#include "hls/pipeline.hpp"
+#include "vectors/engine.hpp"
+
+namespace halfspace::vectors {
+
+template <class F>
+class KernelEngine : public Engine {
+ public:
+  int lanes_x() const override { return F::kLanesX; }
+  int lanes_y() const override { return F::kLanesY; }
+
+  std::vector<Layout> layouts() const override {
+    return {layout<Triangle<F>>(), layout<Setup<F>>(), layout<Attributes<F>>(), layout<Planes<F>>(), layout<Stamp<F>>(),
+            layout<Update<F>>(),   layout<Visible<F>>(), layout<Scan<F>>(),     layout<Pixel<F>>()};
+  }
+
+  std::vector<FormatConstant> constants() const override {
+    return {{"MaxWidth", F::kWidth},
+            {"MaxHeight", F::kHeight},
+            {"Triangles", F::kTriangles},
+            {"XBits", F::kXBits},
+            {"YBits", F::kYBits},
+            {"IndexBits", F::kIndexBits},
+            {"SubpixelBits", F::kSubpixelBits},
+            {"CoordBits", F::kCoordBits},
+            {"DeltaBits", F::kDeltaBits},
+            {"AreaBits", F::kAreaBits},
+            {"EdgeBits", F::kEdgeBits},
+            {"EdgeStepBits", F::kEdgeStepBits},
+            {"ReciprocalFraction", F::kReciprocalFraction},
+            {"ReciprocalBits", F::kReciprocalBits},
+            {"ShiftBits", F::kShiftBits},
+            {"DepthBits", F::kDepthBits},
+            {"DepthFraction", F::kDepthFraction},
+            {"DepthPlaneBits", F::kDepthPlaneBits},
+            {"ColourBits", F::kColourBits},
+            {"ColourFraction", F::kColourFraction},
+            {"ColourPlaneBits", F::kColourPlaneBits}};
+  }
+
+  std::vector<FormatType> types() const override {
+    return {type<typename F::X>("x"),
+            type<typename F::Y>("y"),
+            type<typename F::Index>("index"),
+            type<typename F::Coord>("coord"),
+            type<typename F::Delta>("delta"),
+            type<typename F::Area>("area"),
+            type<typename F::EdgeStep>("edge_step"),
+            type<typename F::Reciprocal>("reciprocal"),
+            type<typename F::Shift>("shift"),
+            type<typename F::Depth>("depth"),
+            type<typename F::DepthPlane>("depth_plane"),
+            type<typename F::DepthGradient>("depth_gradient"),
+            type<typename F::Colour>("colour"),
+            type<typename F::ColourPlane>("colour_plane"),
+            type<typename F::ColourGradient>("colour_gradient")};
+  }
+
+  ref::Frame render(const ref::SnappedList& scene) override {
+    ref::Frame frame = blank(scene);
+    draw(scene, frame);
+    const Frame<F> registers = frame_registers(scene);
+    pipeline_scan(registers, *streams_, *buffers_);
+    while (!streams_->pixel.empty()) {
+      const Pixel<F> in = streams_->pixel.read();
+      for (int l = 0; l < F::kLanes; ++l) {
+        const int x = int(raw(in.x)) * F::kLanesX + l % F::kLanesX;
+        const int y = int(raw(in.y)) * F::kLanesY + l / F::kLanesX;
+        if (x >= scene.width || y >= scene.height) continue;
+        frame.colour[std::size_t(y) * scene.width + x] = {std::uint8_t(raw(in.r[l])), std::uint8_t(raw(in.g[l])),
+                                                          std::uint8_t(raw(in.b[l])), 255};
+      }
+    }
+    return frame;
+  }
+
+  void capture(const ref::SnappedList& scene, const WordSink& sink) override {
+    Streams<F>& s = *streams_;
+    std::vector<Triangle<F>> triangle;
+    std::vector<Setup<F>> setup;
+    std::vector<Attributes<F>> attributes;
+    std::vector<Planes<F>> planes;
+    std::vector<Stamp<F>> stamp;
+    std::vector<Update<F>> update;
+    std::vector<Visible<F>> visible;
+    std::vector<Scan<F>> scan;
+    std::vector<Pixel<F>> pixel;
+    s.triangle.tap(&triangle), s.setup.tap(&setup), s.attributes.tap(&attributes), s.planes.tap(&planes);
+    s.stamp.tap(&stamp), s.update.tap(&update), s.visible.tap(&visible), s.scan.tap(&scan), s.pixel.tap(&pixel);
+    render(scene);
+    s.triangle.tap(nullptr), s.setup.tap(nullptr), s.attributes.tap(nullptr), s.planes.tap(nullptr);
+    s.stamp.tap(nullptr), s.update.tap(nullptr), s.visible.tap(nullptr), s.scan.tap(nullptr), s.pixel.tap(nullptr);
+    tell(triangle, sink), tell(setup, sink), tell(attributes, sink), tell(planes, sink), tell(stamp, sink);
+    tell(update, sink), tell(visible, sink), tell(scan, sink), tell(pixel, sink);
+  }
+
+ private:
+  template <class T>
+  static FormatType type(const char* name) {
+    return {name, T::kWidth, T::kSigned};
+  }
+
+  template <class Record>
+  static void tell(const std::vector<Record>& records, const WordSink& sink) {
+    const Layout words_layout = layout<Record>();
+    std::vector<Word> words;
+    words.reserve(records.size());
+    for (const Record& record : records) words.push_back(pack(record, words_layout.bits));
+    sink(words_layout, words.data(), words.size());
+  }
+
+  static ref::Frame blank(const ref::SnappedList& scene) {
+    const std::size_t pixels = std::size_t(scene.width) * scene.height;
+    ref::Frame frame;
+    frame.width = scene.width;
+    frame.height = scene.height;
+    frame.index.resize(pixels);
+    frame.depth.resize(pixels);
+    frame.colour.resize(pixels);
+    frame.visible.resize(scene.triangles.size());
+    return frame;
+  }
+
+  static Frame<F> frame_registers(const ref::SnappedList& scene) {
+    Frame<F> registers;
+    registers.width = from_raw<typename F::X>(scene.width);
+    registers.height = from_raw<typename F::Y>(scene.height);
+    registers.r = from_raw<typename F::Colour>(scene.background[0]);
+    registers.g = from_raw<typename F::Colour>(scene.background[1]);
+    registers.b = from_raw<typename F::Colour>(scene.background[2]);
+    return registers;
+  }
+
+  // Draws all triangles, then copies I-buffer, Z-buffer and the visible flags, before the scan-out clears them.
+  void draw(const ref::SnappedList& scene, ref::Frame& frame) {
+    const Frame<F> registers = frame_registers(scene);
+    const std::size_t count = scene.triangles.size();
+    for (std::size_t k = 0; k < std::max<std::size_t>(count, 1); ++k) {
+      Triangle<F> t{};
+      t.last = from_raw<Bit>(k + 1 >= count);
+      if (k < count) {
+        const ref::SnappedTriangle& in = scene.triangles[k];
+        t.index = from_raw<typename F::Index>(k + 1);
+        for (int v = 0; v < 3; ++v) {
+          t.x[v] = from_raw<typename F::Coord>(in.x[v]);
+          t.y[v] = from_raw<typename F::Coord>(in.y[v]);
+          t.depth[v] = from_raw<typename F::Depth>(in.depth[v]);
+          t.r[v] = from_raw<typename F::Colour>(in.rgb[v][0]);
+          t.g[v] = from_raw<typename F::Colour>(in.rgb[v][1]);
+          t.b[v] = from_raw<typename F::Colour>(in.rgb[v][2]);
+        }
+      }
+      streams_->triangle.write(t);
+      pipeline_triangle(registers, *streams_, *buffers_);
+      const Visible<F> done = streams_->visible.read();
+      if (k < count) frame.visible[k] = raw(done.visible) != 0;
+    }
+    const std::uint32_t farthest = (std::uint64_t(1) << F::kDepthBits) - 1;
+    for (int y = 0; y < scene.height; ++y) {
+      for (int x = 0; x < scene.width; ++x) {
+        const int address = (y >> F::kLog2LanesY) * F::kStampsX + (x >> F::kLog2LanesX);
+        const int lane = y % F::kLanesY * F::kLanesX + x % F::kLanesX;
+        const std::uint32_t index = raw(buffers_->index.index[address][lane]);
+        frame.index[std::size_t(y) * scene.width + x] = index;
+        frame.depth[std::size_t(y) * scene.width + x] =
+            index == 0 ? farthest : std::uint32_t(raw(buffers_->depth.depth[address][lane]));
+      }
+    }
+  }
+
+  std::unique_ptr<Streams<F>> streams_ = std::make_unique<Streams<F>>();
+  std::unique_ptr<Buffers<F>> buffers_ = std::make_unique<Buffers<F>>();
+};
+
+// Engine of configuration C with the given number of lanes; null if there is no such stamp.
+template <class C>
+std::unique_ptr<Engine> make_kernel_engine(int lanes) {
+  switch (lanes) {
+    case 1: return std::make_unique<KernelEngine<Formats<C, Stamp1>>>();
+    case 2: return std::make_unique<KernelEngine<Formats<C, Stamp2>>>();
+    case 4: return std::make_unique<KernelEngine<Formats<C, Stamp4>>>();
+    case 8: return std::make_unique<KernelEngine<Formats<C, Stamp8>>>();
+    case 16: return std::make_unique<KernelEngine<Formats<C, Stamp16>>>();
+  }
+  return nullptr;
+}
+
+}  // namespace halfspace::vectors
+
+#endif  // HALFSPACE_VECTORS_ENGINE_IMPL_HPP_
