@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ref/raster.hpp"
+
+#include <algorithm>
+
+#include "ref/plane.hpp"
+
+namespace halfspace::ref {
+namespace {
+
+struct Span {
+  std::int64_t first, last;  // pixels, both included
+};
+
+// The pixels of a span whose centres have e + step * (pixel - span.first) >= 0. An empty span stays near the frame,
+// so that edge functions taken at it do not overflow.
+Span narrow(Span span, std::int64_t e, std::int64_t step) {
+  if (step > 0) return {std::min(span.first + std::max<std::int64_t>(0, -floor_div(e, step)), span.last + 1), span.last};
+  if (step < 0) return {span.first, std::max(std::min(span.last, span.first + floor_div(e, -step)), span.first - 1)};
+  return e >= 0 ? span : Span{span.first, span.first - 1};
+}
+
+class Raster {
+ public:
+  explicit Raster(const SnappedList& list) : list_(list), f_(list.format.subpixel_bits) {
+    const std::size_t pixels = std::size_t(list.width) * list.height;
+    const std::uint32_t full = full_depth(list.format.depth_bits);
+    const auto& [r, g, b] = list.background;
+    frame_ = {list.width,
+              list.height,
+              std::vector<std::uint32_t>(pixels, 0),
+              std::vector<std::uint32_t>(pixels, full),
+              std::vector<std::array<std::uint8_t, 4>>(pixels, {r, g, b, 255}),
+              std::vector<double>(pixels, full),
+              std::vector<std::array<double, 3>>(pixels, {double(r), double(g), double(b)}),
+              std::vector<bool>(list.triangles.size(), false)};
+  }
+
+  Frame run() {
+    for (std::uint32_t k = 1; k <= list_.triangles.size(); ++k) draw(k);
+    for (std::size_t at = 0; at < frame_.index.size();) at = shade_run(at);
+    return std::move(frame_);
+  }
+
+ private:
+  std::int64_t centre(std::int64_t pixel) const { return (pixel << f_) + (std::int64_t(1) << (f_ - 1)); }
+  // The pixels of a row (column) of `size` whose centres lie in [low, high].
+  Span pixels_between(std::int64_t low, std::int64_t high, int size) const {
+    const std::int64_t first = -floor_div(centre(0) - low, std::int64_t(1) << f_);
+    const std::int64_t last = floor_div(high - centre(0), std::int64_t(1) << f_);
+    return {std::max<std::int64_t>(first, 0), std::min<std::int64_t>(last, size - 1)};
+  }
+
+  void draw(std::uint32_t k) {
+    const SnappedTriangle& snapped = list_.triangles[k - 1];
+    const OrderedTriangle t(snapped);
+    if (t.area == 0) return;
+    const Plane depth(t, {snapped.depth[0], snapped.depth[1], snapped.depth[2]});
+    const auto [x_min, x_max] = std::minmax_element(t.x.begin(), t.x.end());
+    const auto [y_min, y_max] = std::minmax_element(t.y.begin(), t.y.end());
+    const Span columns = pixels_between(*x_min, *x_max, list_.width);
+    const Span rows = pixels_between(*y_min, *y_max, list_.height);
+    for (std::int64_t row = rows.first; row <= rows.last; ++row) {
+      // A row of a triangle is one span, so slivers cost rows and not the area of their bounding box.
+      Span span = columns;
+      for (int i = 0; i < 3; ++i) {
+        const std::int64_t step = (t.y[i] - t.y[(i + 1) % 3]) * (std::int64_t(1) << f_);
+        span = narrow(span, t.edge(i, centre(span.first), centre(row)), step);
+      }
+      draw_span(k, depth, row, span);
+    }
+  }
+
+  void draw_span(std::uint32_t k, const Plane& depth, std::int64_t row, Span span) {
+    Wide numerator = depth.numerator(centre(span.first), centre(row));
+    const Wide step = Wide(depth.step_x) << f_;
+    for (std::int64_t column = span.first; column <= span.last; ++column, numerator += step) {
+      const std::size_t at = std::size_t(row) * list_.width + column;
+      const std::int64_t fragment = depth.rounded(numerator);
+      if (fragment >= std::int64_t(frame_.depth[at])) continue;
+      frame_.depth[at] = static_cast<std::uint32_t>(fragment);
+      frame_.index[at] = k;
+      frame_.visible[k - 1] = true;
+    }
+  }
+
+  // Scan-out of the pixels from `at` on that have the same index; returns the first beyond them.
+  std::size_t shade_run(std::size_t at) {
+    const std::uint32_t k = frame_.index[at];
+    std::size_t end = at + 1;
+    while (end < frame_.index.size() && frame_.index[end] == k) ++end;
+    if (k != 0) {
+      const SnappedTriangle& snapped = list_.triangles[k - 1];
+      const OrderedTriangle t(snapped);
+      const Plane depth(t, {snapped.depth[0], snapped.depth[1], snapped.depth[2]});
+      for (std::size_t i = at; i < end; ++i) frame_.exact_depth[i] = depth.exact(numerator_at(depth, i));
+      for (int c = 0; c < 3; ++c) {
+        const Plane colour(t, {snapped.rgb[0][c], snapped.rgb[1][c], snapped.rgb[2][c]});
+        for (std::size_t i = at; i < end; ++i) {
+          const Wide numerator = numerator_at(colour, i);
+          frame_.exact_colour[i][c] = colour.exact(numerator);
+          frame_.colour[i][c] = static_cast<std::uint8_t>(colour.rounded(numerator));
+        }
+      }
+    }
+    return end;
+  }
+
+  Wide numerator_at(const Plane& plane, std::size_t pixel) const {
+    return plane.numerator(centre(pixel % list_.width), centre(pixel / list_.width));
+  }
+
+  const SnappedList& list_;
+  const int f_;
+  Frame frame_;
+};
+
+}  // namespace
+
+Frame render(const SnappedList& list) { return Raster(list).run(); }
+
+bool covers(const SnappedTriangle& triangle, int subpixel_bits, int px, int py) {
+  const OrderedTriangle t(triangle);
+  const std::int64_t one = std::int64_t(1) << subpixel_bits;
+  const std::int64_t x = px * one + one / 2, y = py * one + one / 2;
+  return t.area != 0 && t.edge(0, x, y) >= 0 && t.edge(1, x, y) >= 0 && t.edge(2, x, y) >= 0;
+}
+
+}  // namespace halfspace::ref

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// From double to the integers that the rasterizer works on.
+#ifndef HALFSPACE_REF_SNAP_HPP_
+#define HALFSPACE_REF_SNAP_HPP_
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "ref/triangle_list.hpp"
+
+namespace halfspace::ref {
+
+// What a hardware configuration takes; filled by the caller, as this folder knows none.
+struct RasterFormat {
+  std::string name;
+  int width, height;   // largest frame, pixels
+  int triangles;       // triangles a frame
+  int range_bits;      // positions lie in [-2^(range_bits-1), 2^(range_bits-1)) pixels
+  int subpixel_bits;   // f, fraction bits of a position, 1 or more
+  int depth_bits;      // b, bits of a stored depth, 32 or less
+};
+
+struct SnappedTriangle {
+  std::array<std::int32_t, 3> x, y;  // f fraction bits
+  std::array<std::uint32_t, 3> depth;
+  std::array<std::array<std::uint8_t, 3>, 3> rgb;  // [vertex][channel]
+};
+
+struct SnappedList {
+  RasterFormat format;
+  int width, height;
+  std::array<std::uint8_t, 3> background;
+  std::vector<SnappedTriangle> triangles;
+};
+
+// 2^b - 1: the depth of the background.
+constexpr std::uint32_t full_depth(int depth_bits) { return 0xffffffffu >> (32 - depth_bits); }
+
+// A position in units of 2^-f pixels, ties to even, still a double as it may be beyond any integer.
+double snapped_position(double pixels, int subpixel_bits);
+
+// Error when the frame, the number of triangles or a position is beyond `format`; it names the first of `others` that
+// takes the list.
+SnappedList snap(const TriangleList&, const RasterFormat&, const std::vector<RasterFormat>& others = {});
+
+// snap(unsnap(s)) is s.
+TriangleList unsnap(const SnappedList&);
+
+}  // namespace halfspace::ref
+
+#endif  // HALFSPACE_REF_SNAP_HPP_
