@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// The subcommands of halfspace. Each adds itself to the application and leaves its exit status in `status`.
+#ifndef HALFSPACE_CLI_COMMANDS_HPP_
+#define HALFSPACE_CLI_COMMANDS_HPP_
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "vectors/accuracy.hpp"
+
+namespace halfspace::cli {
+
+void add_render(CLI::App& app, int& status);
+void add_vectors(CLI::App& app, int& status);
+void add_compare(CLI::App& app, int& status);
+void add_package(CLI::App& app, int& status);
+void add_report(CLI::App& app, int& status);
+
+using Json = nlohmann::ordered_json;
+
+// To the file, or nowhere when `path` is empty.
+void write_json(const std::string& path, const Json& json);
+Json to_json(const vectors::Accuracy& accuracy);
+// "∞" for an infinite ratio.
+std::string decibels(double psnr);
+
+}  // namespace halfspace::cli
+
+#endif  // HALFSPACE_CLI_COMMANDS_HPP_

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <exception>
+
+#include "cli/commands.hpp"
+#include "ref/error.hpp"
+#include "vectors/staging.hpp"
+
+namespace halfspace::cli {
+
+void write_json(const std::string& path, const Json& json) {
+  if (!path.empty()) vectors::write_file(path, json.dump(1) + "\n");
+}
+
+std::string decibels(double psnr) { return std::isinf(psnr) ? "∞" : fmt::format("{:.2f}", psnr); }
+
+Json to_json(const vectors::Accuracy& a) {
+  return {{"pixels", a.pixels},
+          {"covered_differ", a.covered_differ},
+          {"index_differ", a.index_differ},
+          {"compared", a.compared},
+          {"depth_largest_lsb", a.depth_largest},
+          {"depth_differ", a.depth_differ},
+          {"colour_largest_lsb", a.colour_largest},
+          {"colour_differ", a.colour_differ},
+          {"psnr_db", std::isinf(a.psnr) ? Json(nullptr) : Json(a.psnr)}};
+}
+
+}  // namespace halfspace::cli
+
+int main(int argc, char** argv) {
+  CLI::App app{
+      "halfspace: 3-D raster kernels for FPGA. A scene is rendered by the floating-point reference (ref) and by the\n"
+      "fixed-point kernels (hls); vector files carry every stream between two units to the co-simulation of the RTL.",
+      "halfspace"};
+  app.require_subcommand(1);
+  app.footer(
+      "examples\n"
+      "  halfspace render teapot -o teapot.png                         a picture by the kernels\n"
+      "  halfspace render castle --engine ref --dump ref/              index, depth and colour of the reference\n"
+      "  halfspace compare ref/ hls/                                   what differs, and where first\n"
+      "  halfspace vectors teapot --config low --lanes 4 --out v/      vectors for a test bench of your own\n"
+      "halfspace COMMAND --help tells the options of a command.");
+  int status = 0;
+  halfspace::cli::add_render(app, status);
+  halfspace::cli::add_vectors(app, status);
+  halfspace::cli::add_compare(app, status);
+  halfspace::cli::add_package(app, status);
+  halfspace::cli::add_report(app, status);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error);
+  } catch (const halfspace::ref::Error& error) {
+    std::fprintf(stderr, "halfspace: %s\n", error.what());
+    return 1;
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "halfspace: out of memory: use a smaller scene or frame\n");
+    return 1;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "halfspace: %s\n", error.what());
+    return 1;
+  }
+  return status;
+}

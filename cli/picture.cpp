@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/picture.hpp"
+
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "ref/error.hpp"
+#include "vectors/staging.hpp"
+
+namespace halfspace::cli {
+namespace {
+
+Picture blank(const ref::Frame& frame) {
+  return {frame.width, frame.height, std::vector<std::array<std::uint8_t, 3>>(frame.index.size())};
+}
+
+}  // namespace
+
+Picture colour_picture(const ref::Frame& frame) {
+  Picture picture = blank(frame);
+  for (std::size_t n = 0; n < frame.colour.size(); ++n) {
+    picture.pixels[n] = {frame.colour[n][0], frame.colour[n][1], frame.colour[n][2]};
+  }
+  return picture;
+}
+
+Picture index_picture(const ref::Frame& frame) {
+  Picture picture = blank(frame);
+  for (std::size_t n = 0; n < frame.index.size(); ++n) {
+    if (frame.index[n] == 0) continue;
+    // Multiplicative hash (Knuth): neighbouring indices get unlike colours. 64 keeps them off the background.
+    const std::uint32_t hash = frame.index[n] * 2654435761u;
+    picture.pixels[n] = {std::uint8_t(64 + (hash >> 8) % 192), std::uint8_t(64 + (hash >> 16) % 192),
+                         std::uint8_t(64 + (hash >> 24) % 192)};
+  }
+  return picture;
+}
+
+Picture depth_picture(const ref::Frame& frame) {
+  Picture picture = blank(frame);
+  std::uint32_t nearest = ~0u, farthest = 0;
+  for (std::size_t n = 0; n < frame.depth.size(); ++n) {
+    if (frame.index[n] == 0) continue;
+    nearest = std::min(nearest, frame.depth[n]);
+    farthest = std::max(farthest, frame.depth[n]);
+  }
+  for (std::size_t n = 0; n < frame.depth.size(); ++n) {
+    if (frame.index[n] == 0) {
+      picture.pixels[n] = {20, 30, 70};
+      continue;
+    }
+    const double range = std::max(1.0, double(farthest) - nearest);
+    const auto grey = std::uint8_t(250 - 215 * (frame.depth[n] - nearest) / range);
+    picture.pixels[n] = {grey, grey, grey};
+  }
+  return picture;
+}
+
+Picture difference_picture(const ref::Frame& a, const ref::Frame& b, int gain) {
+  Picture picture = blank(a);
+  for (std::size_t n = 0; n < a.colour.size(); ++n) {
+    for (int c = 0; c < 3; ++c) {
+      picture.pixels[n][c] = std::uint8_t(std::clamp(128 + gain * (int(a.colour[n][c]) - b.colour[n][c]), 0, 255));
+    }
+  }
+  return picture;
+}
+
+void write_picture(const std::string& path, const Picture& picture) {
+  const std::filesystem::path target(path);
+  vectors::StagedFolder staged(target.parent_path().string());
+  const std::string part = staged.path(target.filename().string());
+  const auto out = OIIO::ImageOutput::create(part);
+  if (!out) throw ref::Error(fmt::format("{}: there is no picture format of that ending: use .png", path));
+  const OIIO::ImageSpec spec(picture.width, picture.height, 3, OIIO::TypeDesc::UINT8);
+  if (!out->open(part, spec) || !out->write_image(OIIO::TypeDesc::UINT8, picture.pixels.data()) || !out->close()) {
+    std::string reason = out->geterror();
+    std::replace(reason.begin(), reason.end(), '\n', ' ');
+    throw ref::Error(fmt::format("{}: cannot write the picture: {}", path, reason));
+  }
+  staged.commit();
+}
+
+}  // namespace halfspace::cli

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// From the name of a scene to the snapped triangles of a frame.
+#ifndef HALFSPACE_CLI_SCENE_INPUT_HPP_
+#define HALFSPACE_CLI_SCENE_INPUT_HPP_
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "ref/snap.hpp"
+
+namespace halfspace::cli {
+
+struct SceneInput {
+  std::string scene;   // built-in name, *.tri, or a mesh file
+  std::string config;  // empty: middle, or high when the frame does not fit middle
+  std::string size;    // "WxH"; empty: the file's size, or the configuration's
+  double time = 0;     // seconds into the file's animation
+};
+
+// Adds the scene and its options to a subcommand.
+void add_scene_options(CLI::App* command, SceneInput& input);
+
+// Throws ref::Error.
+ref::SnappedList load_snapped(const SceneInput& input);
+
+}  // namespace halfspace::cli
+
+#endif  // HALFSPACE_CLI_SCENE_INPUT_HPP_

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// halfspace vectors
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "cli/commands.hpp"
+#include "cli/progress.hpp"
+#include "cli/scene_input.hpp"
+#include "ref/error.hpp"
+#include "vectors/engine.hpp"
+#include "vectors/standard_set.hpp"
+#include "vectors/vector_set.hpp"
+
+namespace halfspace::cli {
+namespace {
+
+struct Options {
+  SceneInput input;
+  int lanes = 4;
+  std::string out, json;
+  std::uint64_t seed = 1;
+  bool corners = true;
+  int random = 4, random_triangles = 60;
+};
+
+void write_vectors(const Options& options) {
+  std::vector<vectors::NamedFrame> frames;
+  ref::RasterFormat format;
+  const bool standard = options.input.scene == "standard";
+  if (standard) {
+    format = vectors::raster_format(options.input.config.empty() ? "middle" : options.input.config);
+  } else {
+    const ref::SnappedList scene = load_snapped(options.input);
+    format = scene.format;
+    frames.push_back({options.input.scene, scene});
+  }
+  if (standard || options.corners) {
+    std::vector<vectors::NamedFrame> first = vectors::corner_frames(format);
+    for (auto& frame : vectors::random_frames(format, options.seed, options.random, options.random_triangles)) {
+      first.push_back(std::move(frame));
+    }
+    first.insert(first.end(), std::make_move_iterator(frames.begin()), std::make_move_iterator(frames.end()));
+    frames = std::move(first);
+  }
+
+  vectors::VectorSetOptions set;
+  set.scene = options.input.scene;
+  set.config = format.name;
+  set.lanes = options.lanes;
+  set.seed = standard || options.corners ? options.seed : 0;
+  Progress progress("vectors " + set.scene);
+  const std::string manifest = vectors::write_vector_set(
+      options.out, set, frames, [&](std::size_t done, std::size_t total) { progress.tell(done, total); });
+
+  const Json json = Json::parse(manifest);
+  std::size_t words = 0;
+  for (const auto& stream : json["streams"]) words += stream["words"].get<std::size_t>();
+  fmt::print("vectors {} {}: {} frames, {} streams, {} words in {}\n", set.scene, set.config, frames.size(),
+             json["streams"].size(), words, options.out);
+  write_json(options.json, json);
+}
+
+}  // namespace
+
+void add_vectors(CLI::App& app, int&) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("vectors", "write the words of every stream between two units");
+  command->footer(
+      "Annotated corner cases come first, then random frames, then the frame of SCENE; `standard` as SCENE stands\n"
+      "for the first two alone. Each stream is a text file that $readmemh reads; manifest.json tells the fields.");
+  add_scene_options(command, options->input);
+  command->add_option("--lanes", options->lanes, "pixels a stamp: 1, 2, 4, 8, 16")->capture_default_str();
+  command->add_option("--out", options->out, "folder to write")->required();
+  command->add_option("--seed", options->seed, "of the random frames")->capture_default_str();
+  command->add_flag("--corners,!--no-corners", options->corners, "corner cases and random frames before the scene");
+  command->add_option("--random", options->random, "random frames")->capture_default_str()->check(CLI::NonNegativeNumber);
+  command->add_option("--random-triangles", options->random_triangles, "triangles of a random frame")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--json", options->json, "file for a copy of the manifest");
+  command->callback([options] { write_vectors(*options); });
+}
+
+}  // namespace halfspace::cli

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// The kernels held against the floating-point reference, in LSB and dB.
+#ifndef HALFSPACE_VECTORS_ACCURACY_HPP_
+#define HALFSPACE_VECTORS_ACCURACY_HPP_
+
+#include <cstdint>
+
+#include "ref/raster.hpp"
+
+namespace halfspace::vectors {
+
+struct Accuracy {
+  std::uint64_t pixels = 0;
+  std::uint64_t covered_differ = 0;  // one shows a triangle, the other the background
+  std::uint64_t index_differ = 0;
+  // Where the indices agree and are not the background:
+  std::uint64_t compared = 0;
+  std::int64_t depth_largest = 0;   // LSB of the stored depth
+  std::uint64_t depth_differ = 0;
+  std::int64_t colour_largest = 0;  // LSB of 8 bits
+  std::uint64_t colour_differ = 0;  // channels
+  // Over the whole frame and all channels; infinite when equal.
+  double psnr = 0;
+};
+
+Accuracy accuracy(const ref::Frame& reference, const ref::Frame& kernels);
+
+}  // namespace halfspace::vectors
+
+#endif  // HALFSPACE_VECTORS_ACCURACY_HPP_

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// The frames that every vector set can begin with: corner cases, each with its reason, then random triangles.
+#ifndef HALFSPACE_VECTORS_STANDARD_SET_HPP_
+#define HALFSPACE_VECTORS_STANDARD_SET_HPP_
+
+#include <cstdint>
+#include <vector>
+
+#include "vectors/vector_set.hpp"
+
+namespace halfspace::vectors {
+
+std::vector<NamedFrame> corner_frames(const ref::RasterFormat& format);
+
+// `frames` frames of `triangles` triangles each, of mixed kinds and sizes, from `seed`.
+std::vector<NamedFrame> random_frames(const ref::RasterFormat& format, std::uint64_t seed, int frames, int triangles);
+
+}  // namespace halfspace::vectors
+
+#endif  // HALFSPACE_VECTORS_STANDARD_SET_HPP_

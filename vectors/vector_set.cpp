@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vectors/vector_set.hpp"
+
+#include <fmt/format.h>
+#include <openssl/evp.h>
+
+#include <fstream>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "ref/error.hpp"
+#include "vectors/engine.hpp"
+#include "vectors/staging.hpp"
+
+namespace halfspace::vectors {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Ends {
+  const char *from, *to, *context;
+};
+const std::map<std::string, Ends> kEnds = {
+    {"triangle", {"geometry", "triangle_setup", ""}},     {"setup", {"triangle_setup", "raster_pineda", ""}},
+    {"attributes", {"triangle_setup", "shade_setup", ""}}, {"planes", {"shade_setup", "tdbs", ""}},
+    {"stamp", {"raster_pineda", "ztest_index", ""}},       {"update", {"ztest_index", "buffers", ""}},
+    {"visible", {"ztest_index", "geometry", ""}},          {"scan", {"scan_index", "shade_gouraud", ""}},
+    {"pixel", {"shade_gouraud", "frame", "scan"}},
+};
+
+// A .hex file and the digest of its text.
+class HexFile {
+ public:
+  HexFile(const std::string& path, const Layout& layout) : path_(path), layout_(layout), file_(path, std::ios::binary) {
+    EVP_DigestInit_ex(digest_.get(), EVP_sha256(), nullptr);
+  }
+
+  void comment(const std::string& text) { put("// " + text + "\n"); }
+
+  void words(const Word* words, std::size_t count) {
+    std::string text;
+    for (std::size_t i = 0; i < count; ++i) {
+      append_hex(text, words[i], layout_.bits);
+      text += '\n';
+      if (text.size() > 1 << 16) put(text), text.clear();
+    }
+    put(text);
+    frame_words_.push_back(count);
+  }
+
+  // The stream's entry in the manifest.
+  Json close() {
+    file_.close();
+    if (!file_) throw ref::Error(fmt::format("{}: cannot write it: is the disk full?", path_));
+    unsigned char bytes[EVP_MAX_MD_SIZE];
+    unsigned size = 0;
+    EVP_DigestFinal_ex(digest_.get(), bytes, &size);
+    std::string sha256;
+    for (unsigned i = 0; i < size; ++i) sha256 += fmt::format("{:02x}", bytes[i]);
+    std::size_t total = 0;
+    for (std::size_t n : frame_words_) total += n;
+    Json fields = Json::array();
+    for (const Field& field : layout_.fields) {
+      fields.push_back({{"name", field.name},
+                        {"lsb", field.lsb},
+                        {"width", field.width},
+                        {"count", field.count},
+                        {"signed", field.is_signed},
+                        {"fraction", field.fraction}});
+    }
+    const Ends& ends = kEnds.at(layout_.stream);
+    return {{"name", layout_.stream}, {"from", ends.from},  {"to", ends.to},
+            {"file", layout_.stream + ".hex"}, {"bits", layout_.bits}, {"words", total},
+            {"frame_words", frame_words_},     {"sha256", sha256},     {"context", ends.context},
+            {"fields", fields}};
+  }
+
+ private:
+  void put(const std::string& text) {
+    file_ << text;
+    EVP_DigestUpdate(digest_.get(), text.data(), text.size());
+  }
+
+  std::string path_;
+  Layout layout_;
+  std::ofstream file_;
+  std::unique_ptr<EVP_MD_CTX, void (*)(EVP_MD_CTX*)> digest_{EVP_MD_CTX_new(), EVP_MD_CTX_free};
+  std::vector<std::size_t> frame_words_;
+};
+
+}  // namespace
+
+std::string write_vector_set(const std::string& folder, const VectorSetOptions& options,
+                             const std::vector<NamedFrame>& frames,
+                             const std::function<void(std::size_t, std::size_t)>& progress) {
+  if (frames.empty()) throw ref::Error("a vector set needs a frame at least: name a scene");
+  const auto engine = make_engine(options.config, options.lanes);
+  StagedFolder staged(folder);
+  std::map<std::string, HexFile> files;
+  for (const Layout& layout : engine->layouts()) {
+    files.emplace(layout.stream, HexFile(staged.path(layout.stream + ".hex"), layout));
+    files.at(layout.stream).comment(fmt::format("{} {} lanes {}: {} bits a word", layout.stream, options.config,
+                                                options.lanes, layout.bits));
+  }
+
+  Json frame_list = Json::array();
+  for (std::size_t n = 0; n < frames.size(); ++n) {
+    const ref::SnappedList& scene = frames[n].scene;
+    for (auto& [name, file] : files) {
+      file.comment(fmt::format("frame {}: {}, {}x{}", n, frames[n].note, scene.width, scene.height));
+    }
+    engine->capture(scene, [&](const Layout& layout, const Word* words, std::size_t count) {
+      files.at(layout.stream).words(words, count);
+    });
+    frame_list.push_back({{"width", scene.width},
+                          {"height", scene.height},
+                          {"background", scene.background},
+                          {"triangles", scene.triangles.size()},
+                          {"note", frames[n].note}});
+    if (progress) progress(n + 1, frames.size());
+  }
+
+  Json streams = Json::array();
+  for (const Layout& layout : engine->layouts()) streams.push_back(files.at(layout.stream).close());
+  const Json manifest = {{"format", "halfspace-vectors 1"},
+                         {"scene", options.scene},
+                         {"config", options.config},
+                         {"lanes_x", engine->lanes_x()},
+                         {"lanes_y", engine->lanes_y()},
+                         {"seed", options.seed},
+                         {"frames", frame_list},
+                         {"streams", streams}};
+  const std::string text = manifest.dump(1) + "\n";
+  staged.write("manifest.json", text);
+  staged.commit();
+  return text;
+}
+
+}  // namespace halfspace::vectors

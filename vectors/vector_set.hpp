@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Vector sets: a folder with a text file a stream, for $readmemh, and manifest.json (see docs/architecture.md).
+#ifndef HALFSPACE_VECTORS_VECTOR_SET_HPP_
+#define HALFSPACE_VECTORS_VECTOR_SET_HPP_
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "ref/snap.hpp"
+
+namespace halfspace::vectors {
+
+struct NamedFrame {
+  std::string note;  // what the frame is for
+  ref::SnappedList scene;
+};
+
+struct VectorSetOptions {
+  std::string scene;   // name in the manifest
+  std::string config;
+  int lanes = 4;
+  std::uint64_t seed = 0;  // of the random frames; 0 if there are none
+};
+
+// Writes the streams of the frames to `folder`, which is made. The files appear there together, at the end, or not
+// at all; `progress` hears (frames done, frames). Returns the manifest's text. Throws ref::Error.
+std::string write_vector_set(const std::string& folder, const VectorSetOptions& options,
+                             const std::vector<NamedFrame>& frames,
+                             const std::function<void(std::size_t, std::size_t)>& progress);
+
+}  // namespace halfspace::vectors
+
+#endif  // HALFSPACE_VECTORS_VECTOR_SET_HPP_
