@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// The geometry stage: from a scene to the triangles of a frame.
+#ifndef HALFSPACE_REF_GEOMETRY_HPP_
+#define HALFSPACE_REF_GEOMETRY_HPP_
+
+#include "ref/scene.hpp"
+#include "ref/triangle_list.hpp"
+
+namespace halfspace::ref {
+
+struct View {
+  int width, height;  // pixels
+  int range_bits;     // positions come out inside [-2^(range_bits-1) + 1, 2^(range_bits-1) - 1] pixels
+  int subpixel_bits;  // of the raster: culling goes by the sign of the area as snapped
+};
+
+// Transform, Phong lighting at the vertices, clipping, division, viewport, culling. Triangles come in the order of
+// instances, meshes and faces. Error when none is left.
+TriangleList project(const Scene&, const View&);
+
+}  // namespace halfspace::ref
+
+#endif  // HALFSPACE_REF_GEOMETRY_HPP_

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ref/lighting.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace halfspace::ref {
+namespace {
+
+struct Arrival {
+  glm::dvec3 to_light;   // L, length 1
+  glm::dvec3 intensity;  // Ii as it arrives
+};
+
+Arrival arrive(const Light& light, const glm::dvec3& point) {
+  if (light.kind == Light::Kind::kDirectional) return {-light.direction, light.colour};
+  const glm::dvec3 way = light.position - point;
+  const double d = std::max(glm::length(way), 1e-9);
+  const glm::dvec3 to_light = way / d;
+  const double divisor = light.attenuation.x + light.attenuation.y * d + light.attenuation.z * d * d;
+  double factor = divisor > 0 ? 1 / divisor : 1;
+  if (light.kind == Light::Kind::kSpot) {
+    const double cosine = glm::dot(-to_light, light.direction);
+    const double width = std::max(light.cos_inner - light.cos_outer, 1e-9);
+    factor *= std::clamp((cosine - light.cos_outer) / width, 0.0, 1.0);
+  }
+  return {to_light, light.colour * factor};
+}
+
+}  // namespace
+
+glm::dvec3 phong(const SurfacePoint& at, const Material& material, const glm::dvec3& ambient,
+                 const std::vector<Light>& lights) {
+  glm::dvec3 total = material.emission + ambient * material.ambient * at.colour;
+  for (const Light& light : lights) {
+    const Arrival arrival = arrive(light, at.position);
+    const double diffuse = glm::dot(arrival.to_light, at.normal);
+    if (diffuse <= 0) continue;
+    total += arrival.intensity * material.diffuse * at.colour * diffuse;
+    const glm::dvec3 half = arrival.to_light + at.to_viewer;
+    const double length = glm::length(half);
+    if (length < 1e-9) continue;  // the light shines from behind, straight at the viewer
+    const double cosine = std::max(glm::dot(half, at.normal) / length, 0.0);
+    total += arrival.intensity * material.specular * std::pow(cosine, material.shininess);
+  }
+  return glm::clamp(255.0 * total, 0.0, 255.0);
+}
+
+}  // namespace halfspace::ref

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef HALFSPACE_REF_LIGHTING_HPP_
+#define HALFSPACE_REF_LIGHTING_HPP_
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "ref/scene.hpp"
+
+namespace halfspace::ref {
+
+// A point of a surface, in the world.
+struct SurfacePoint {
+  glm::dvec3 position, normal;  // length 1
+  glm::dvec3 to_viewer;         // V, length 1
+  glm::dvec3 colour;            // multiplies Ka and Kd
+};
+
+// The Phong model of index rendering, in 0-255 a channel and clamped to it:
+//   I = emission + Ia Ka + sum of Ii (Kd (L·N) + Ks (H·N)^n),  H = (L + V) / |L + V|,  for lights with L·N > 0.
+glm::dvec3 phong(const SurfacePoint&, const Material&, const glm::dvec3& ambient, const std::vector<Light>&);
+
+}  // namespace halfspace::ref
+
+#endif  // HALFSPACE_REF_LIGHTING_HPP_

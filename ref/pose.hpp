@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef HALFSPACE_REF_POSE_HPP_
+#define HALFSPACE_REF_POSE_HPP_
+
+#include <assimp/scene.h>
+
+#include <glm/glm.hpp>
+#include <map>
+#include <string>
+
+#include "ref/scene.hpp"
+
+namespace halfspace::ref {
+
+glm::dmat4 to_glm(const aiMatrix4x4&);
+inline glm::dvec3 to_glm(const aiVector3D& v) { return {v.x, v.y, v.z}; }
+inline glm::dvec3 to_glm(const aiColor3D& c) { return {c.r, c.g, c.b}; }
+
+// Where every node of a file stands at a time, as the first animation has it; held at its ends outside its duration.
+// Assimp joins nodes, bones, cameras and lights by name.
+class Pose {
+ public:
+  Pose(const aiScene&, double time_seconds);
+
+  // Identity for a name that no node has.
+  glm::dmat4 to_world(const std::string& node) const;
+  const glm::dmat4& to_world(const aiNode* node) const { return by_node_.at(node); }
+
+ private:
+  void place(const aiNode&, const glm::dmat4& parent);
+
+  std::map<std::string, glm::dmat4> animated_;  // to the parent
+  std::map<std::string, glm::dmat4> by_name_;
+  std::map<const aiNode*, glm::dmat4> by_node_;
+};
+
+// Moves the vertices and normals of a mesh by its bones, into the world.
+void skin(const aiMesh&, const Pose&, const glm::dmat4& of_node, Mesh* mesh);
+
+}  // namespace halfspace::ref
+
+#endif  // HALFSPACE_REF_POSE_HPP_

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef HALFSPACE_REF_SCENE_HPP_
+#define HALFSPACE_REF_SCENE_HPP_
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace halfspace::ref {
+
+// Coefficients of the Phong model, 0-1 a channel.
+struct Material {
+  glm::dvec3 ambient{0.8}, diffuse{0.8}, specular{0}, emission{0};  // Ka, Kd, Ks
+  double shininess = 0;                                             // n
+  bool two_sided = false;                                           // drawn from behind as well
+};
+
+// Triangles are counter-clockwise seen from outside.
+struct Mesh {
+  std::string name;
+  std::vector<glm::dvec3> positions;
+  std::vector<glm::dvec3> normals;  // one a position, of length 1
+  std::vector<glm::dvec3> colours;  // one a position, or none at all; they multiply Ka and Kd
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  int material = 0;
+};
+
+// A mesh, placed. Meshes that are instanced stand once.
+struct Instance {
+  int mesh;
+  glm::dmat4 to_world;
+};
+
+struct Light {
+  enum class Kind { kDirectional, kPoint, kSpot };
+  Kind kind = Kind::kDirectional;
+  glm::dvec3 position{0}, direction{0, 0, -1};  // direction: the way the light goes, of length 1
+  glm::dvec3 colour{1};                         // Ii
+  glm::dvec3 attenuation{1, 0, 0};              // Ii / (a + b d + c d²) at distance d
+  double cos_inner = 1, cos_outer = 1;          // of half the cone of a spot
+};
+
+struct Camera {
+  glm::dvec3 position{0}, forward{0, 0, -1}, up{0, 1, 0};
+  double half_width = 0;   // of the view at distance 1, or at any distance if orthographic; 0: not known
+  double half_height = 0;  // likewise; if both are known the height counts, as the frame has its own aspect
+  bool orthographic = false;
+  double near = 0, far = 0;  // 0: taken from the geometry
+};
+
+struct Scene {
+  std::string name;
+  std::vector<Mesh> meshes;
+  std::vector<Material> materials;
+  std::vector<Instance> instances;
+  std::vector<Light> lights;  // none: one from the upper left behind the viewer
+  glm::dvec3 ambient{0.25};   // Ia
+  glm::dvec3 background{24, 28, 38};  // 0-255
+  std::optional<Camera> camera;
+  // Without a camera the scene is looked at along `view_direction`, from so far that all `framing` points are seen.
+  // They are those of time 0: the view stays when the scene moves.
+  glm::dvec3 view_direction{-0.5, -0.45, -0.75};
+  std::vector<glm::dvec3> framing;
+};
+
+// A built-in scene by its name, or any file that Assimp reads, with the first of its animations (nodes and bones) at
+// `time_seconds`; the built-in scenes stand still. Error on everything that cannot be drawn.
+Scene load_scene(const std::string& name_or_path, double time_seconds = 0);
+
+std::vector<std::string> builtin_scene_names();
+
+}  // namespace halfspace::ref
+
+#endif  // HALFSPACE_REF_SCENE_HPP_

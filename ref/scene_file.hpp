@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef HALFSPACE_REF_SCENE_FILE_HPP_
+#define HALFSPACE_REF_SCENE_FILE_HPP_
+
+#include <string>
+
+#include "ref/scene.hpp"
+
+namespace halfspace::ref {
+
+// A file that Assimp reads. Points and lines are left out, and so are textures as yet: their materials show the
+// diffuse colour. Indices and coordinates are still to be checked.
+Scene read_scene_file(const std::string& path, double time_seconds);
+
+}  // namespace halfspace::ref
+
+#endif  // HALFSPACE_REF_SCENE_FILE_HPP_

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ref/scene_file_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace halfspace::ref {
+namespace {
+
+bool is_black(const glm::dvec3& c) { return c.r <= 0 && c.g <= 0 && c.b <= 0; }
+
+glm::dvec3 sane_colour(const glm::dvec3& c) {
+  for (int i = 0; i < 3; ++i) {
+    if (!std::isfinite(c[i])) return glm::dvec3(0);
+  }
+  return glm::max(c, glm::dvec3(0));
+}
+
+glm::dvec3 colour_of(const aiMaterial& source, const char* key, unsigned type, unsigned index, const glm::dvec3& absent) {
+  aiColor3D colour;
+  if (source.Get(key, type, index, colour) != AI_SUCCESS) return absent;
+  return sane_colour(to_glm(colour));
+}
+
+bool usable(const glm::dvec3& direction) {
+  const double length = glm::length(direction);
+  return std::isfinite(length) && length > 1e-9;
+}
+
+// Half of 2 tan(angle / 2), the size of the view at distance 1; 0 for an angle that is none.
+double half_size(double angle) { return angle > 0 && angle < 3.1 ? std::tan(angle / 2) : 0; }
+
+double strength(const Light& light, const glm::dvec3& point) {
+  double divisor = 1;
+  if (light.kind != Light::Kind::kDirectional) {
+    const double d = glm::distance(light.position, point);
+    divisor = light.attenuation.x + light.attenuation.y * d + light.attenuation.z * d * d;
+    if (!(divisor > 0)) divisor = 1;
+  }
+  return std::max({light.colour.r, light.colour.g, light.colour.b}) / divisor;
+}
+
+void expose(Scene* scene) {
+  glm::dvec3 low = scene->framing.front(), high = low;
+  for (const glm::dvec3& point : scene->framing) low = glm::min(low, point), high = glm::max(high, point);
+  double strongest = 0;
+  for (const Light& light : scene->lights) strongest = std::max(strongest, strength(light, (low + high) / 2.0));
+  if (!(strongest > 0) || !std::isfinite(strongest)) return scene->lights.clear();
+  for (Light& light : scene->lights) light.colour *= std::clamp(strongest, 0.25, 1.0) / strongest;
+}
+
+}  // namespace
+
+Material material_of(const aiMaterial& source) {
+  Material material;
+  material.diffuse = colour_of(source, AI_MATKEY_COLOR_DIFFUSE, glm::dvec3(0.8));
+  // Most exporters write black for "not set", which would leave the shadow side without form.
+  material.ambient = colour_of(source, AI_MATKEY_COLOR_AMBIENT, glm::dvec3(0));
+  if (is_black(material.ambient)) material.ambient = material.diffuse;
+  material.specular = colour_of(source, AI_MATKEY_COLOR_SPECULAR, glm::dvec3(0));
+  material.emission = colour_of(source, AI_MATKEY_COLOR_EMISSIVE, glm::dvec3(0));
+  float number = 1;
+  if (source.Get(AI_MATKEY_SHININESS_STRENGTH, number) == AI_SUCCESS && number >= 0) material.specular *= number;
+  number = 0;
+  source.Get(AI_MATKEY_SHININESS, number);
+  material.shininess = number;
+  if (!(number > 0)) material.specular = glm::dvec3(0);  // x^0 would shine everywhere
+  int two_sided = 0;
+  source.Get(AI_MATKEY_TWOSIDED, two_sided);
+  material.two_sided = two_sided != 0;
+  return material;
+}
+
+std::optional<Camera> camera_of(const aiCamera& source, const Pose& pose, const std::string& extension) {
+  const glm::dmat4 to_world = pose.to_world(source.mName.C_Str());
+  Camera camera;
+  camera.position = to_world * glm::dvec4(to_glm(source.mPosition), 1);
+  camera.forward = glm::dmat3(to_world) * to_glm(source.mLookAt);
+  camera.up = glm::dmat3(to_world) * to_glm(source.mUp);
+  if (!usable(camera.forward) || !usable(camera.up) || !std::isfinite(glm::length(camera.position))) return std::nullopt;
+  const double aspect = source.mAspect > 0 ? source.mAspect : 0;
+  if (source.mOrthographicWidth > 0) {
+    camera.orthographic = true;
+    camera.half_width = source.mOrthographicWidth;
+    camera.half_height = aspect > 0 ? camera.half_width / aspect : 0;
+  } else if (extension == "gltf" || extension == "glb") {
+    // Assimp's importer multiplies the vertical angle by the aspect ratio, if there is one.
+    camera.half_height = half_size(aspect > 0 ? source.mHorizontalFOV / aspect : source.mHorizontalFOV);
+  } else {
+    camera.half_width = half_size(source.mHorizontalFOV);
+    camera.half_height = aspect > 0 ? camera.half_width / aspect : 0;
+  }
+  if (source.mClipPlaneNear > 0 && source.mClipPlaneFar > source.mClipPlaneNear) {
+    camera.near = source.mClipPlaneNear;
+    if (std::isfinite(source.mClipPlaneFar)) camera.far = source.mClipPlaneFar;
+  }
+  return camera;
+}
+
+void add_lights(const aiScene& file, const Pose& pose, Scene* scene) {
+  glm::dvec3 ambient(0);
+  for (unsigned i = 0; i < file.mNumLights; ++i) {
+    const aiLight& source = *file.mLights[i];
+    const glm::dmat4 to_world = pose.to_world(source.mName.C_Str());
+    Light light;
+    light.colour = sane_colour(to_glm(source.mColorDiffuse));
+    light.position = to_world * glm::dvec4(to_glm(source.mPosition), 1);
+    light.attenuation = {source.mAttenuationConstant, source.mAttenuationLinear, source.mAttenuationQuadratic};
+    const glm::dvec3 direction = glm::dmat3(to_world) * to_glm(source.mDirection);
+    light.direction = usable(direction) ? glm::normalize(direction) : glm::dvec3(0, 0, -1);
+    light.cos_inner = std::cos(source.mAngleInnerCone / 2.0);
+    light.cos_outer = std::cos(source.mAngleOuterCone / 2.0);
+    switch (source.mType) {
+      case aiLightSource_AMBIENT:
+        ambient += sane_colour(to_glm(source.mColorAmbient)) + light.colour;
+        continue;
+      case aiLightSource_DIRECTIONAL: light.kind = Light::Kind::kDirectional; break;
+      case aiLightSource_SPOT: light.kind = Light::Kind::kSpot; break;
+      default: light.kind = Light::Kind::kPoint;  // an area light is a point from afar
+    }
+    if (!is_black(light.colour) && std::isfinite(glm::length(light.position))) scene->lights.push_back(light);
+  }
+  if (!is_black(ambient)) scene->ambient = glm::min(ambient, glm::dvec3(1));
+  if (!scene->framing.empty()) expose(scene);
+}
+
+}  // namespace halfspace::ref

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// From Assimp's materials, cameras and lights to ours.
+#ifndef HALFSPACE_REF_SCENE_FILE_PARTS_HPP_
+#define HALFSPACE_REF_SCENE_FILE_PARTS_HPP_
+
+#include <assimp/scene.h>
+
+#include <optional>
+#include <string>
+
+#include "ref/pose.hpp"
+#include "ref/scene.hpp"
+
+namespace halfspace::ref {
+
+Material material_of(const aiMaterial&);
+
+// None if the file's camera makes no sense. `extension` is the file's: importers differ in what they store.
+std::optional<Camera> camera_of(const aiCamera&, const Pose&, const std::string& extension);
+
+// The lights, and the ambient light if the file has any. Files state intensities in units of their own (0-1, candela,
+// lux), so all are scaled together if the strongest is beyond 1/4 to 1 at the middle of scene.framing.
+void add_lights(const aiScene&, const Pose&, Scene*);
+
+}  // namespace halfspace::ref
+
+#endif  // HALFSPACE_REF_SCENE_FILE_PARTS_HPP_
