@@ -91,7 +91,7 @@ class Mason {
     for (int i = 0; i < fields; ++i) {
       for (int j = 0; j < fields; ++j) {
         const double x = -half + i * side, z = -half + j * side;
-        const bool inner = std::abs(x + side / 2) < 20 && std::abs(z + side / 2) < 20;
+        const bool inner = std::abs(x + side / 2) < 20.5 && std::abs(z + side / 2) < 20.5;
         colour(inner ? kCourt : kGrass);
         builder.polygon({{x, 0, z}, {x, 0, z + side}, {x + side, 0, z + side}, {x + side, 0, z}});
       }
@@ -118,11 +118,11 @@ class Mason {
   void gatehouse() {
     tower({-3.6, 0, 22}, 2.2, 10, kDarkStone);
     tower({3.6, 0, 22}, 2.2, 10, kDarkStone);
-    wall({-3.6, 0, 22.5}, {3.6, 0, 22.5}, 8.5, 2.5, kDarkStone);
+    wall({3.6, 0, 22.5}, {-3.6, 0, 22.5}, 8.5, 2.5, kDarkStone);
     builder.colour = kShade;
     builder.box({-1.4, 0, 23.6}, {1.4, 4.5, 23.85});
     colour({0.50, 0.36, 0.22});
-    builder.box({-1.5, 0.02, 23.85}, {1.5, 0.3, 29});
+    builder.box({-1.5, 0.02, 23.85}, {1.5, 0.3, 26.4});
   }
 
  private:
@@ -134,7 +134,7 @@ class Mason {
 Scene castle() {
   constexpr double kOuter = 21, kInner = 11;
   Mason mason;
-  mason.ground(30, 10);
+  mason.ground(26.4, 12);
   mason.court(kOuter, 5.5, 1.8, kStone);
   mason.court(kInner, 8, 1.6, kKeepStone);
   for (const double x : {-kOuter, 0.0, kOuter}) {
@@ -158,7 +158,7 @@ Scene castle() {
   Material stone;
   stone.ambient = stone.diffuse = glm::dvec3(1);
   Scene scene = std::move(mason.builder).scene(stone);
-  scene.ambient = {0.30, 0.31, 0.36};
+  scene.ambient = {0.38, 0.39, 0.44};
   scene.background = {92, 122, 158};
   scene.view_direction = {-0.42, -0.38, -1};
   return scene;

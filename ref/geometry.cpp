@@ -56,8 +56,8 @@ class Geometry {
 
   Light headlight() const {
     Light light;
-    light.direction = glm::normalize(viewpoint_.forward + 0.55 * viewpoint_.right - 0.75 * viewpoint_.up);
-    light.colour = glm::dvec3(0.85);
+    light.direction = glm::normalize(viewpoint_.forward + 0.4 * viewpoint_.right - 0.65 * viewpoint_.up);
+    light.colour = glm::dvec3(0.8);
     return light;
   }
 

@@ -57,8 +57,8 @@ struct Scene {
   std::vector<Material> materials;
   std::vector<Instance> instances;
   std::vector<Light> lights;  // none: one from the upper left behind the viewer
-  glm::dvec3 ambient{0.25};   // Ia
-  glm::dvec3 background{24, 28, 38};  // 0-255
+  glm::dvec3 ambient{0.32};   // Ia
+  glm::dvec3 background{26, 32, 46};  // 0-255
   std::optional<Camera> camera;
   // Without a camera the scene is looked at along `view_direction`, from so far that all `framing` points are seen.
   // They are those of time 0: the view stays when the scene moves.
