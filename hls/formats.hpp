@@ -118,8 +118,10 @@ struct Formats {
                     kReciprocalFraction >= kSubpixelBits + kColourFraction,
                 "a gradient keeps no more fraction bits than its reciprocal has: raise reciprocal_bits");
   static_assert(kEdgeBits <= 64, "an edge function is one machine word: lower range_bits or subpixel_bits");
-  static_assert(kDepthPlaneBits + kDeltaBits <= 64 && kColourPlaneBits + kDeltaBits <= 64,
-                "a gradient times a distance is one machine word: lower the fraction bits");
+  static_assert(kDepthPlaneBits + kSubpixelBits < 64 && kColourPlaneBits + kSubpixelBits < 64,
+                "the start of a plane is one machine word: lower the fraction bits");
+  static_assert(kColourPlaneBits + kXBits <= 64 && kColourPlaneBits + kYBits <= 64,
+                "a colour gradient times a pixel coordinate is one machine word: lower colour_fraction");
   static_assert(numerator_bits(kDepthBits) - 24 + kReciprocalBits < 64 && 24 + kReciprocalBits < 64,
                 "the halves of a gradient product are machine words: lower reciprocal_bits");
 

@@ -25,14 +25,6 @@ struct Streams {
   Stream<Pixel<F>> pixel;
 };
 
-// I-buffer all 0 before the first frame; a frame leaves it so.
-template <class F>
-struct Buffers {
-  IndexBuffer<F> index;
-  DepthBuffer<F> depth;
-  ShadingDatabase<F> shading;
-};
-
 // One triangle from streams.triangle into the buffers.
 template <class F>
 void pipeline_triangle(const Frame<F>& frame, Streams<F>& streams, Buffers<F>& buffers) {

@@ -10,7 +10,8 @@
 //
 //   |error| <= 2^(b−r) + (|x − x0| + |y − y0|)·2^−(g+1)  LSB      at every covered pixel centre, of any sliver.
 //
-// Gradients are not clamped: they wrap modulo 2^b, as the plane does, and the sum comes out right.
+// Gradients are not clamped: they wrap. Steps of whole pixels need them modulo 2^b, as the plane is; the start lies a
+// multiple of 2^−f pixels from vertex 0 and needs them modulo 2^(b+f).
 #ifndef HALFSPACE_HLS_PLANE_HPP_
 #define HALFSPACE_HLS_PLANE_HPP_
 
@@ -54,6 +55,7 @@ Plane<PlaneValue, PlaneGradient> plane_setup(const PlaneBase<F>& base, const Val
   using Numerator = fix<F::numerator_bits(Value::kWidth), Value::kInteger + F::kCoordInteger + 2>;
   // Gradients have g fraction bits and distances f: the start is summed with all of them.
   using Start = fix<PlaneValue::kWidth + F::kSubpixelBits, PlaneValue::kInteger>;
+  using StartGradient = fix<PlaneValue::kWidth + F::kSubpixelBits, PlaneValue::kInteger + F::kSubpixelBits>;
 
   const auto dv1 = v1 - v0;
   const auto dv2 = v2 - v0;
@@ -62,13 +64,16 @@ Plane<PlaneValue, PlaneGradient> plane_setup(const PlaneBase<F>& base, const Val
   // A sub-pixel over a sub-pixel squared, times 2^f sub-pixels in a pixel, to g fraction bits of N·R·2^−(r+s).
   const int n = int(raw(base.inverse.shift)) + F::kReciprocalFraction - F::kSubpixelBits - kFraction;
 
+  const StartGradient dx = gradient_product<F, StartGradient>(raw(numerator_x), base.inverse.reciprocal, n);
+  const StartGradient dy = gradient_product<F, StartGradient>(raw(numerator_y), base.inverse.reciprocal, n);
   Plane<PlaneValue, PlaneGradient> plane;
-  plane.dx = gradient_product<F, PlaneGradient>(raw(numerator_x), base.inverse.reciprocal, n);
-  plane.dy = gradient_product<F, PlaneGradient>(raw(numerator_y), base.inverse.reciprocal, n);
+  plane.dx = dx;
+  plane.dy = dy;
 
-  // Dropping the low f bits changes no rounded value: every later step is a multiple of 2^−g.
-  const Start along_x = plane.dx * base.dx;
-  const Start along_y = plane.dy * base.dy;
+  // Products modulo the width of Start. Dropping their low f bits at the end changes no rounded value: every later
+  // step is a multiple of 2^−g.
+  const Start along_x = from_raw<Start>(std::uint64_t(raw(dx)) * std::uint64_t(raw(base.dx)));
+  const Start along_y = from_raw<Start>(std::uint64_t(raw(dy)) * std::uint64_t(raw(base.dy)));
   const ufix<Value::kWidth + 1, Value::kInteger> half = from_raw<ufix<Value::kWidth + 1, Value::kInteger>>(1);
   const Start first = v0 + half;
   const Start sum_x = first + along_x;

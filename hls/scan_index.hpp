@@ -3,7 +3,8 @@
 #ifndef HALFSPACE_HLS_SCAN_INDEX_HPP_
 #define HALFSPACE_HLS_SCAN_INDEX_HPP_
 
-#include "ztest_index.hpp"
+#include "buffers.hpp"
+#include "stream.hpp"
 
 namespace halfspace {
 

@@ -7,16 +7,10 @@
 #ifndef HALFSPACE_HLS_SHADE_GOURAUD_HPP_
 #define HALFSPACE_HLS_SHADE_GOURAUD_HPP_
 
-#include "records.hpp"
+#include "buffers.hpp"
 #include "stream.hpp"
 
 namespace halfspace {
-
-// Triangle database for shading: entry index − 1.
-template <class F>
-struct ShadingDatabase {
-  Planes<F> planes[F::kTriangles];
-};
 
 // Stores what shade_setup sends, one entry a call. Returns whether it was the last of the frame.
 template <class F>

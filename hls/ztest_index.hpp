@@ -8,19 +8,10 @@
 #ifndef HALFSPACE_HLS_ZTEST_INDEX_HPP_
 #define HALFSPACE_HLS_ZTEST_INDEX_HPP_
 
-#include "records.hpp"
+#include "buffers.hpp"
 #include "stream.hpp"
 
 namespace halfspace {
-
-template <class F>
-struct IndexBuffer {
-  typename F::Index index[F::kStamps][F::kLanes];
-};
-template <class F>
-struct DepthBuffer {
-  typename F::Depth depth[F::kStamps][F::kLanes];
-};
 
 // The stamps of one triangle.
 template <class F>

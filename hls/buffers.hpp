@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// The memories of the pipeline: a word a stamp, the lanes side by side. In hardware, 1R1W RAMs.
+#ifndef HALFSPACE_HLS_BUFFERS_HPP_
+#define HALFSPACE_HLS_BUFFERS_HPP_
+
+#include "records.hpp"
+
+namespace halfspace {
+
+// Which triangle is nearest: 0, or its index. At address y · F::kStampsX + x of stamp (x, y).
+template <class F>
+struct IndexBuffer {
+  typename F::Index index[F::kStamps][F::kLanes];
+};
+
+// Its depth; means nothing where the index is 0.
+template <class F>
+struct DepthBuffer {
+  typename F::Depth depth[F::kStamps][F::kLanes];
+};
+
+// TdbS, the triangle database for shading: entry index − 1.
+template <class F>
+struct ShadingDatabase {
+  Planes<F> planes[F::kTriangles];
+};
+
+// I-buffer all 0 before the first frame; a frame leaves it so.
+template <class F>
+struct Buffers {
+  IndexBuffer<F> index;
+  DepthBuffer<F> depth;
+  ShadingDatabase<F> shading;
+};
+
+}  // namespace halfspace
+
+#endif  // HALFSPACE_HLS_BUFFERS_HPP_

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// Records as arrays of integers, a field an element, for the top functions: in the order of visit(), lanes in theirs.
+#ifndef HALFSPACE_HLS_TOP_FIELDS_HPP_
+#define HALFSPACE_HLS_TOP_FIELDS_HPP_
+
+#include "../pipeline.hpp"
+
+// A tool that synthesizes a top defines these two, or takes them as they are.
+#ifndef HALFSPACE_TOP_CONFIG
+#define HALFSPACE_TOP_CONFIG Middle
+#endif
+#ifndef HALFSPACE_TOP_STAMP
+#define HALFSPACE_TOP_STAMP Stamp4
+#endif
+
+namespace halfspace {
+
+using TopFormats = Formats<HALFSPACE_TOP_CONFIG, HALFSPACE_TOP_STAMP>;
+
+constexpr int kTriangleFields = 20, kSetupFields = 20, kAttributesFields = 20, kPlanesFields = 12, kVisibleFields = 3;
+constexpr int kStampFields = 5 + 2 * TopFormats::kLanes, kUpdateFields = 3 + 2 * TopFormats::kLanes;
+constexpr int kScanFields = 3 + TopFormats::kLanes, kPixelFields = 3 + 3 * TopFormats::kLanes;
+
+class FieldReader {
+ public:
+  explicit FieldReader(const std::int64_t* fields) : fields_(fields), at_(0) {}
+  template <class T>
+  void operator()(const char*, T& value) {
+    value = from_raw<T>(fields_[at_++]);
+  }
+  template <class T, std::size_t N>
+  void lanes(const char*, T (&values)[N]) {
+    for (std::size_t l = 0; l < N; ++l) values[l] = from_raw<T>(fields_[at_++]);
+  }
+  int count() const { return at_; }
+
+ private:
+  const std::int64_t* fields_;
+  int at_;
+};
+
+class FieldWriter {
+ public:
+  explicit FieldWriter(std::int64_t* fields) : fields_(fields), at_(0) {}
+  template <class T>
+  void operator()(const char*, const T& value) {
+    fields_[at_++] = std::int64_t(raw(value));
+  }
+  template <class T, std::size_t N>
+  void lanes(const char*, const T (&values)[N]) {
+    for (std::size_t l = 0; l < N; ++l) fields_[at_++] = std::int64_t(raw(values[l]));
+  }
+  int count() const { return at_; }
+
+ private:
+  std::int64_t* fields_;
+  int at_;
+};
+
+template <class Record>
+Record read_fields(const std::int64_t* fields) {
+  Record record;
+  FieldReader reader(fields);
+  record.visit(reader);
+  return record;
+}
+template <class Record>
+void write_fields(Record record, std::int64_t* fields) {
+  FieldWriter writer(fields);
+  record.visit(writer);
+}
+
+inline Frame<TopFormats> top_frame(int width, int height, int background) {
+  Frame<TopFormats> frame;
+  frame.width = from_raw<TopFormats::X>(width);
+  frame.height = from_raw<TopFormats::Y>(height);
+  frame.r = from_raw<TopFormats::Colour>(background >> 16 & 255);
+  frame.g = from_raw<TopFormats::Colour>(background >> 8 & 255);
+  frame.b = from_raw<TopFormats::Colour>(background & 255);
+  return frame;
+}
+
+}  // namespace halfspace
+
+#endif  // HALFSPACE_HLS_TOP_FIELDS_HPP_

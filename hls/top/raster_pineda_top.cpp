@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fields.hpp"
+
+using namespace halfspace;
+
+// The stamps of one triangle. Returns how many.
+extern "C" int raster_pineda_top(int width, int height, const std::int64_t setup[kSetupFields],
+                                 std::int64_t stamp[TopFormats::kStamps * kStampFields]) {
+  using F = TopFormats;
+  Stream<Setup<F>> in;
+  Stream<Stamp<F>> out;
+  in.write(read_fields<Setup<F>>(setup));
+  raster_pineda(top_frame(width, height, 0), in, out);
+  int count = 0;
+Stamps:
+  for (int n = 0; n < F::kStamps; ++n) {
+    if (out.empty()) break;
+    write_fields(out.read(), stamp + n * kStampFields);
+    ++count;
+  }
+  return count;
+}
