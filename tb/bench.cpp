@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench.hpp"
+
+namespace halfspace::tb {
+
+std::size_t Result::words() const {
+  std::size_t sum = 0;
+  for (const StreamResult& stream : streams) sum += stream.words;
+  return sum;
+}
+
+std::size_t Result::mismatches() const {
+  std::size_t sum = 0;
+  for (const StreamResult& stream : streams) sum += stream.mismatches;
+  return sum;
+}
+
+Bench::Bench(Model* model, const Vectors* vectors, const Options* options, std::string prefix, const std::string& clock)
+    : model_(model),
+      vectors_(vectors),
+      options_(options),
+      prefix_(std::move(prefix)),
+      clock_(model->need(clock, 1).bit()) {}
+
+Sender& Bench::add_sender(const Stream& stream) {
+  return add_sender(input_wires(*model_, prefix_, stream), stream.name);
+}
+
+Sender& Bench::add_sender(const Wires& wires, const std::string& name) {
+  return senders_.emplace_back(wires, name, seed_of(options_->seed, prefix_ + name), options_->stall);
+}
+
+Receiver& Bench::add_receiver(const Stream& stream) {
+  return receivers_.emplace_back(output_wires(*model_, prefix_, stream), *vectors_, stream.name,
+                                 seed_of(options_->seed, prefix_ + stream.name), options_->stall);
+}
+
+void Bench::reset() {
+  constexpr int kCycles = 4;
+  model_->set("rst_ni", 1);
+  *clock_ = 0;
+  model_->eval();
+  model_->set("rst_ni", 0);
+  model_->eval();
+  for (int i = 0; i < kCycles; ++i) {
+    *clock_ = 1;
+    model_->eval();
+    *clock_ = 0;
+    model_->eval();
+  }
+  model_->set("rst_ni", 1);
+  model_->eval();
+}
+
+void Bench::set_frame(const Frame& frame) {
+  model_->set("frame_width_i", frame.width);
+  model_->set("frame_height_i", frame.height);
+  model_->set("background_i", std::uint64_t(frame.background[0]) << 16 | frame.background[1] << 8 | frame.background[2]);
+}
+
+bool Bench::step() {
+  for (Sender& sender : senders_) sender.drive();
+  for (Receiver& receiver : receivers_) receiver.drive();
+  *clock_ = 0;
+  model_->eval();
+  bool moved = false;
+  for (Sender& sender : senders_) moved |= sender.sample();
+  for (Receiver& receiver : receivers_) moved |= receiver.sample(cycle_);
+  *clock_ = 1;
+  model_->eval();
+  if (moved && first_move_ == 0) first_move_ = cycle_;
+  ++cycle_;
+  return moved;
+}
+
+bool Bench::run(const std::function<bool()>& done, std::uint64_t patience) {
+  std::uint64_t waited = 0;
+  while (!done()) {
+    waited = step() ? 0 : waited + 1;
+    if (waited <= patience) continue;
+    failures_.push_back("hang: no word moved for " + std::to_string(patience) + " cycles; " + waiting());
+    return false;
+  }
+  return true;
+}
+
+bool Bench::all_done() const {
+  for (const Sender& sender : senders_) {
+    if (!sender.done()) return false;
+  }
+  for (const Receiver& receiver : receivers_) {
+    if (!receiver.done()) return false;
+  }
+  return true;
+}
+
+std::string Bench::waiting() const {
+  std::string text;
+  const auto add = [&](const std::string& state) { text += (text.empty() ? "waiting: " : ", ") + state; };
+  for (const Sender& sender : senders_) {
+    if (!sender.done()) add(sender.state());
+  }
+  for (const Receiver& receiver : receivers_) {
+    if (!receiver.done()) add(receiver.state());
+  }
+  return text.empty() ? "all words were seen, and the model is still busy" : text;
+}
+
+void Bench::idle(int cycles) {
+  for (int i = 0; i < cycles; ++i) step();
+}
+
+void Bench::finish(Result* result) {
+  for (Receiver& receiver : receivers_) {
+    receiver.finish();
+    const Stream& stream = *vectors_->find(receiver.name());
+    result->streams.push_back({stream.name, stream.from, stream.to, receiver.words(), receiver.mismatches()});
+    for (const std::string& failure : receiver.failures()) result->failures.push_back(failure);
+    if (receiver.words() == 0) {
+      result->failures.push_back("empty: no word of " + describe_stream(stream) +
+                                 " was compared; use a vector set that has some");
+    }
+  }
+  for (const std::string& failure : failures_) result->failures.push_back(failure);
+  result->simulated = cycle_;
+}
+
+}  // namespace halfspace::tb

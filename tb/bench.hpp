@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// A clocked model with Senders and Receivers on its streams, and what a run of it gave.
+#ifndef HALFSPACE_TB_BENCH_HPP_
+#define HALFSPACE_TB_BENCH_HPP_
+
+#include <algorithm>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "channel.hpp"
+#include "model.hpp"
+#include "options.hpp"
+
+namespace halfspace::tb {
+
+struct StreamResult {
+  std::string name, from, to;
+  std::size_t words = 0, mismatches = 0;
+};
+
+// max(setup, stamps, pixels) cycles is what the units' own rates allow for a frame; setup 0: not known.
+struct Bound {
+  std::uint64_t setup = 0, stamps = 0, pixels = 0;
+  std::uint64_t cycles() const { return std::max({setup, stamps, pixels}); }
+};
+
+struct Result {
+  std::string unit;  // or "pipeline"
+  std::vector<StreamResult> streams;
+  std::vector<std::string> failures;
+  std::uint64_t cycles = 0;
+  std::string cycles_of;  // what `cycles` measures
+  std::uint64_t simulated = 0;
+  double seconds = 0;
+  Bound bound;
+
+  std::size_t words() const;
+  std::size_t mismatches() const;
+  bool passed() const { return failures.empty(); }
+};
+
+class Bench {
+ public:
+  // `prefix` stands before the name of every stream's port; `clock` and rst_ni are the model's.
+  Bench(Model* model, const Vectors* vectors, const Options* options, std::string prefix, const std::string& clock);
+
+  Sender& add_sender(const Stream& stream);
+  Sender& add_sender(const Wires& wires, const std::string& name);
+  Receiver& add_receiver(const Stream& stream);
+
+  void reset();
+  void set_frame(const Frame& frame);
+  // Steps until done() holds; `patience` cycles without a word are a hang: told, and false.
+  bool run(const std::function<bool()>& done, std::uint64_t patience);
+  bool all_done() const;
+  void idle(int cycles);
+  // Collects the streams' results, and refuses streams without words.
+  void finish(Result* result);
+
+  std::uint64_t cycle() const { return cycle_; }
+  std::uint64_t first_move() const { return first_move_; }
+  const std::string& prefix() const { return prefix_; }
+  Model& model() { return *model_; }
+
+ private:
+  bool step();
+  std::string waiting() const;
+
+  Model* model_;
+  const Vectors* vectors_;
+  const Options* options_;
+  std::string prefix_;
+  std::uint8_t* clock_;
+  std::deque<Sender> senders_;
+  std::deque<Receiver> receivers_;
+  std::vector<std::string> failures_;
+  std::uint64_t cycle_ = 0, first_move_ = 0;
+};
+
+}  // namespace halfspace::tb
+
+#endif  // HALFSPACE_TB_BENCH_HPP_

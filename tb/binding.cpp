@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Binds the class that Verilator printed to Model. Compiled once a model; ports.inc is printed by verilate.py:
+// HS_PORT(name, bits, is_input) a port.
+#include <verilated.h>
+
+#include "Vmodel.h"
+#include "model.hpp"
+
+double sc_time_stamp() { return 0; }
+
+namespace halfspace::tb {
+namespace {
+
+class Binding final : public Model {
+ public:
+  explicit Binding(std::uint64_t seed) : Model(HS_TOP, HS_CONFIG, HS_LANES_X, HS_LANES_Y) {
+    context_.randReset(2);
+    context_.randSeed(int(seed & 0x7fffffff) | 1);
+    top_ = std::make_unique<Vmodel>(&context_);
+#define HS_PORT(name, bits, is_input) add_port(#name, &top_->name, int(sizeof top_->name), bits, is_input);
+#include "ports.inc"
+#undef HS_PORT
+  }
+  ~Binding() override { top_->final(); }
+  void eval() override { top_->eval_step(); }
+
+ private:
+  VerilatedContext context_;
+  std::unique_ptr<Vmodel> top_;
+};
+
+}  // namespace
+
+std::unique_ptr<Model> make_model(std::uint64_t seed) { return std::make_unique<Binding>(seed); }
+
+std::string model_top() { return HS_TOP; }
+
+}  // namespace halfspace::tb

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// The two ends of a stream at a model: Sender offers words of a vector file, Receiver takes or watches words and
+// holds each whole word against the file.
+//
+// A clock cycle is: drive() of all, evaluate with the clock low, sample() of all, evaluate with the clock high.
+#ifndef HALFSPACE_TB_CHANNEL_HPP_
+#define HALFSPACE_TB_CHANNEL_HPP_
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "describe.hpp"
+#include "model.hpp"
+#include "stall.hpp"
+#include "vectors.hpp"
+
+namespace halfspace::tb {
+
+// The words [begin, end) of a stream, all of one frame.
+struct Segment {
+  const Stream* stream;
+  std::size_t begin, end;
+  std::size_t frame;
+  std::string note;
+};
+
+// What a stream's wires are called: <prefix><stream>_valid_i and so on. Null where the model has none.
+struct Wires {
+  const Port* data = nullptr;
+  const Port* valid = nullptr;
+  const Port* ready = nullptr;
+};
+Wires input_wires(const Model& model, const std::string& prefix, const Stream& stream);
+Wires output_wires(const Model& model, const std::string& prefix, const Stream& stream);
+
+class Sender {
+ public:
+  // Without a ready port every word offered is taken.
+  Sender(const Wires& wires, std::string name, std::uint64_t seed, int stall_percent);
+
+  void send(Segment segment);
+  void drive();
+  // Whether a word moved.
+  bool sample();
+  bool done() const { return current_ == segments_.size(); }
+  // "triangle: 12 of 40 words taken, valid 1, ready 0"
+  std::string state() const;
+  std::size_t words() const { return words_; }
+
+ private:
+  void skip_empty();
+  void offer();
+  void withdraw();
+
+  Wires wires_;
+  std::string name_;
+  Stall stall_;
+  std::vector<Segment> segments_;
+  std::size_t current_ = 0, position_ = 0, words_ = 0, total_ = 0;
+  bool offering_ = false;
+};
+
+class Receiver {
+ public:
+  // A ready port that is an input of the model is driven; one that is an output is watched. Without one every word
+  // that is valid counts.
+  Receiver(const Wires& wires, const Vectors& vectors, std::string name, std::uint64_t seed, int stall_percent);
+
+  void expect(Segment segment);
+  // Keeps what is really received for the last segment of those expected by then.
+  void record_last(Words* sink) { sink_ = sink; }
+  void drive();
+  bool sample(std::uint64_t cycle);
+  bool done() const { return current_ == segments_.size(); }
+  std::string state() const;
+  // Counts the words that never came.
+  void finish();
+
+  const std::string& name() const { return name_; }
+  std::size_t words() const { return words_; }
+  std::size_t mismatches() const { return mismatches_ + surplus_ + missing_ + protocol_; }
+  // Sentences: the first mismatch, the first word of surplus, what is missing, the first fault of the handshake.
+  const std::vector<std::string>& failures() const { return failures_; }
+  // The cycle of each frame's last word, in the order of the segments.
+  const std::vector<std::uint64_t>& end_cycles() const { return end_cycles_; }
+
+ private:
+  void skip_empty(std::uint64_t cycle);
+  void check_held(bool valid);
+  void take(std::uint64_t cycle);
+  void take_surplus();
+
+  Wires wires_;
+  bool drives_ready_;
+  const Vectors& vectors_;
+  std::string name_;
+  Stall stall_;
+  std::vector<Segment> segments_;
+  std::size_t current_ = 0, position_ = 0;
+  std::size_t words_ = 0, total_ = 0, mismatches_ = 0, surplus_ = 0, missing_ = 0, protocol_ = 0;
+  std::vector<std::string> failures_;
+  std::vector<std::uint64_t> end_cycles_;
+  std::vector<std::uint32_t> held_;
+  bool is_held_ = false, shy_ = false;
+  Words* sink_ = nullptr;
+};
+
+}  // namespace halfspace::tb
+
+#endif  // HALFSPACE_TB_CHANNEL_HPP_

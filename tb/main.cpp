@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program around one Verilated model: of hs_units the benches, of hs_pipeline the co-simulation.
+#include <cstdio>
+#include <set>
+
+#include "options.hpp"
+#include "pipeline.hpp"
+#include "report.hpp"
+#include "units.hpp"
+
+namespace halfspace::tb {
+namespace {
+
+void check_model(const Model& model, const Vectors& vectors) {
+  if (model.config() == vectors.config && model.lanes_x() == vectors.lanes_x && model.lanes_y() == vectors.lanes_y) return;
+  throw Error(vectors.directory + "/manifest.json: the set is for " + vectors.config + ", " +
+              std::to_string(vectors.lanes_x) + "x" + std::to_string(vectors.lanes_y) + " lanes, this model is " +
+              model.title() + "; take the program tb_…_" + vectors.config + "_" + std::to_string(vectors.lanes()) +
+              " or make the set with its --config and --lanes");
+}
+
+// The streams named, and those that tell the triangles of these.
+void load_streams(const std::set<std::string>& names, Vectors* vectors) {
+  std::set<std::string> wanted = names;
+  for (const Stream& stream : vectors->streams) {
+    if (names.count(stream.name) != 0 && !stream.context.empty()) wanted.insert(stream.context);
+  }
+  for (Stream& stream : vectors->streams) {
+    if (wanted.count(stream.name) != 0) load_words(vectors->directory, &stream);
+  }
+}
+
+void report(const Vectors& vectors, const Options& options, const std::vector<Result>& results) {
+  if (!options.json.empty()) write_file(options.json, json_report(vectors, options, results));
+}
+
+int run_benches(Model* model, Vectors* vectors, const Options& options) {
+  const std::vector<std::string> units =
+      options.unit == "all" ? unit_names() : std::vector<std::string>{options.unit};
+  std::set<std::string> names;
+  for (const std::string& unit : units) {
+    for (const std::string& stream : unit_streams(unit)) names.insert(stream);
+  }
+  load_streams(names, vectors);
+  std::vector<Result> results;
+  bool passed = true;
+  for (const std::string& unit : units) {
+    results.push_back(run_unit(unit, model, *vectors, options));
+    passed = passed && results.back().passed();
+    print_result(*vectors, results.back());
+    std::fflush(stdout);
+  }
+  report(*vectors, options, results);
+  return passed ? 0 : 1;
+}
+
+int run_cosim(Model* model, Vectors* vectors, const Options& options) {
+  std::set<std::string> names;
+  for (const Stream& stream : vectors->streams) names.insert(stream.name);
+  load_streams(names, vectors);
+  LastFrame last;
+  const Result result = run_pipeline(model, *vectors, options, &last);
+  if (!options.dump.empty()) write_file(options.dump, rgba_picture(*vectors, last.pixel));
+  if (!options.dump_index.empty()) write_file(options.dump_index, index_picture(*vectors, last.scan));
+  report(*vectors, options, {result});
+  print_result(*vectors, result);
+  return result.passed() ? 0 : 1;
+}
+
+int run(int argc, char** argv) {
+  const bool units = model_top() == "hs_units";
+  const Options options = parse_options(argc, argv, units);
+  Vectors vectors = load_manifest(options.vectors);
+  const std::unique_ptr<Model> model = make_model(options.seed);
+  check_model(*model, vectors);
+  std::printf("%s, seed %llu, stall %d %%, %s\n", model->title().c_str(), static_cast<unsigned long long>(options.seed),
+              options.stall, options.vectors.c_str());
+  return units ? run_benches(model.get(), &vectors, options) : run_cosim(model.get(), &vectors, options);
+}
+
+}  // namespace
+}  // namespace halfspace::tb
+
+int main(int argc, char** argv) {
+  try {
+    return halfspace::tb::run(argc, argv);
+  } catch (const halfspace::tb::Error& e) {
+    std::fprintf(stderr, "%s\n", e.what());
+    return 2;
+  }
+}

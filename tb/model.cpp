@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model.hpp"
+
+#include <cstring>
+
+#include "vectors.hpp"
+
+namespace halfspace::tb {
+
+const Port* Model::find(const std::string& name) const {
+  const auto found = ports_.find(name);
+  return found == ports_.end() ? nullptr : &found->second;
+}
+
+const Port& Model::need(const std::string& name, int bits) const {
+  const Port* const port = find(name);
+  if (port == nullptr) {
+    throw Error(title() + ": the model has no port " + name + "; bring its ports and docs/architecture.md together");
+  }
+  if (bits != 0 && port->bits != bits) {
+    throw Error(title() + ": port " + name + " has " + std::to_string(port->bits) + " bits where the vectors have " +
+                std::to_string(bits) + "; print the package (`halfspace package`), build the model and make the " +
+                "vectors from the same formats");
+  }
+  return *port;
+}
+
+void Model::add_port(const char* name, void* data, int bytes, int bits, bool input) {
+  if (input) std::memset(data, 0, std::size_t(bytes));
+  ports_[name] = Port{name, data, bytes, bits, input};
+}
+
+void Model::set(const std::string& name, std::uint64_t value) {
+  const Port& port = need(name);
+  std::memset(port.data, 0, std::size_t(port.bytes));
+  std::memcpy(port.data, &value, std::size_t(port.bytes < 8 ? port.bytes : 8));
+}
+
+std::string Model::title() const {
+  return top_ + " (" + config_ + ", " + std::to_string(lanes_x_) + "x" + std::to_string(lanes_y_) + " lanes)";
+}
+
+}  // namespace halfspace::tb

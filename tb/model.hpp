@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// A Verilated model as the harness sees it: named ports and a way to evaluate. binding.cpp makes one of the class
+// that Verilator printed, so that nothing else is compiled once a configuration.
+#ifndef HALFSPACE_TB_MODEL_HPP_
+#define HALFSPACE_TB_MODEL_HPP_
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <unordered_map>
+
+namespace halfspace::tb {
+
+// CData … QData and VlWide alike: `bytes` of memory, least significant first (the host is little endian).
+struct Port {
+  std::string name;
+  void* data = nullptr;
+  int bytes = 0;
+  int bits = 0;
+  bool input = false;
+
+  std::uint8_t* bit() const { return static_cast<std::uint8_t*>(data); }
+};
+
+class Model {
+ public:
+  virtual ~Model() = default;
+  virtual void eval() = 0;
+
+  const std::string& top() const { return top_; }
+  const std::string& config() const { return config_; }
+  int lanes_x() const { return lanes_x_; }
+  int lanes_y() const { return lanes_y_; }
+
+  // Null when there is no such port.
+  const Port* find(const std::string& name) const;
+  // The lack of it, or another width (0: any), is an Error.
+  const Port& need(const std::string& name, int bits = 0) const;
+  void set(const std::string& name, std::uint64_t value);
+  // "hs_units (middle, 2x2 lanes)"
+  std::string title() const;
+
+ protected:
+  Model(std::string top, std::string config, int lanes_x, int lanes_y)
+      : top_(std::move(top)), config_(std::move(config)), lanes_x_(lanes_x), lanes_y_(lanes_y) {}
+
+  // Inputs start at 0.
+  void add_port(const char* name, void* data, int bytes, int bits, bool input);
+
+ private:
+  std::string top_, config_;
+  int lanes_x_, lanes_y_;
+  std::unordered_map<std::string, Port> ports_;
+};
+
+// The one model of this program. Registers and memories without a reset start at random values drawn from `seed`.
+std::unique_ptr<Model> make_model(std::uint64_t seed);
+// Its top module, known without making it.
+std::string model_top();
+
+}  // namespace halfspace::tb
+
+#endif  // HALFSPACE_TB_MODEL_HPP_

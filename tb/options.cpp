@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+
+namespace halfspace::tb {
+namespace {
+
+constexpr const char* kUnitsHelp =
+    "Drives each unit of the RTL alone with the words of a vector set and holds every word that comes out against\n"
+    "the set, to the bit. Both sides stall at random. The exit status is 0 only if every word agreed, none was\n"
+    "missing or too many, and every stream had words to compare.\n\n"
+    "  halfspace vectors teapot --config middle --lanes 4 --out v\n"
+    "  tb_units_middle_4 v\n"
+    "  tb_units_middle_4 v --unit raster_pineda --stall 60 --seed 7\n";
+
+constexpr const char* kPipelineHelp =
+    "Runs the whole pipeline of the RTL on the triangles of a vector set and holds every word of every stream\n"
+    "between two units against the set, to the bit. The exit status is 0 only if every word agreed, none was missing\n"
+    "or too many, and every stream had words to compare.\n\n"
+    "  halfspace vectors teapot --config middle --lanes 4 --out v\n"
+    "  tb_pipeline_middle_4 v                         cycles a frame, without stalls\n"
+    "  tb_pipeline_middle_4 v --stall 30 --seed 7     random stalls on both sides\n"
+    "  tb_pipeline_middle_4 v --dump frame.rgba8      the picture that the RTL drew\n";
+
+}  // namespace
+
+Options parse_options(int argc, char** argv, bool units) {
+  Options options;
+  if (units) options.stall = 30;
+  CLI::App app(units ? kUnitsHelp : kPipelineHelp);
+  app.add_option("vectors", options.vectors, "Folder with manifest.json and the .hex files")->required();
+  app.add_option("--seed", options.seed, "Seed of the stalls and of memories without a reset (default 1)");
+  app.add_option("--stall", options.stall,
+                 std::string("Percent of the cycles in which a partner is not ready, 0 … 90 (default ") +
+                     (units ? "30" : "0") + ")")
+      ->check(CLI::Range(0, 90));
+  app.add_option("--hang", options.hang, "Cycles without a word that count as a hang (default 20000)")
+      ->check(CLI::Range(std::uint64_t(100), std::uint64_t(1) << 40));
+  app.add_option("--json", options.json, "Write the report to this file as well");
+  if (units) {
+    app.add_option("--unit", options.unit,
+                   "all, or one of triangle_setup, shade_setup, raster_pineda, ztest_index, scan_index, shade_gouraud");
+  } else {
+    app.add_option("--frames", options.frames,
+                   "Draw the last frame of the set N times, back to back (default 2: the second one gives the cycles "
+                   "of a frame)")
+        ->check(CLI::Range(1, 1000000));
+    app.add_option("--setup-interval", options.setup_interval,
+                   "Cycles that triangle_setup takes for a triangle, for the bound")
+        ->check(CLI::Range(1, 1000000));
+    app.add_option("--dump", options.dump, "Write the last frame that the RTL drew: rgba8, row 0 on top");
+    app.add_option("--dump-index", options.dump_index, "Write its index buffer: u32, little endian, row 0 on top");
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    const int code = app.exit(e);
+    std::exit(code == 0 ? 0 : 2);
+  }
+  return options;
+}
+
+}  // namespace halfspace::tb

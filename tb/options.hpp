@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// The command line of the bench and of the co-simulation.
+#ifndef HALFSPACE_TB_OPTIONS_HPP_
+#define HALFSPACE_TB_OPTIONS_HPP_
+
+#include <cstdint>
+#include <string>
+
+namespace halfspace::tb {
+
+struct Options {
+  std::string vectors;         // folder of the vector set
+  std::string unit = "all";    // hs_units only
+  std::uint64_t seed = 1;      // of the stalls and of memories without a reset
+  int stall = 0;               // percent of the cycles
+  std::uint64_t hang = 20000;  // cycles without a word that count as a hang
+  std::string json;
+  // hs_pipeline only:
+  int frames = 2;              // times that the last frame is drawn
+  int setup_interval = 0;      // cycles a triangle; 0: not known
+  std::string dump, dump_index;
+};
+
+// Exits by itself for --help (0) and for a wrong command line (2). `units`: of hs_units, else of hs_pipeline.
+Options parse_options(int argc, char** argv, bool units);
+
+}  // namespace halfspace::tb
+
+#endif  // HALFSPACE_TB_OPTIONS_HPP_

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+namespace halfspace::tb {
+namespace {
+
+constexpr int kPause = 64;
+// After reset the pipeline clears its I-buffer, in the smallest stamps two million words a bank.
+constexpr std::uint64_t kResetPatience = 10'000'000;
+
+// A frame as often as it is drawn.
+struct Turn {
+  std::size_t frame;
+  std::string note;
+};
+
+std::vector<Turn> turns_of(const Vectors& vectors, int times_last) {
+  std::vector<Turn> turns;
+  for (std::size_t frame = 0; frame + 1 < vectors.frames.size(); ++frame) turns.push_back({frame, ""});
+  for (int time = 1; time <= times_last; ++time) {
+    const std::string note =
+        times_last == 1 ? "" : " (time " + std::to_string(time) + " of " + std::to_string(times_last) + ")";
+    turns.push_back({vectors.frames.size() - 1, note});
+  }
+  return turns;
+}
+
+Segment segment_of(const Stream& stream, const Turn& turn) {
+  std::size_t begin = 0;
+  for (std::size_t f = 0; f < turn.frame; ++f) begin += stream.frame_words[f];
+  return {&stream, begin, begin + stream.frame_words[turn.frame], turn.frame, turn.note};
+}
+
+// Of the last frame.
+Bound bound_of(const Vectors& vectors, int setup_interval) {
+  Bound bound;
+  const std::size_t frame = vectors.frames.size() - 1;
+  if (const Stream* const triangle = vectors.find("triangle")) {
+    bound.setup = triangle->frame_words[frame] * std::uint64_t(setup_interval);
+  }
+  if (const Stream* const scan = vectors.find("scan")) bound.pixels = scan->frame_words[frame];
+  if (const Stream* const stamp = vectors.find("stamp")) {
+    const Field& mask = stamp->need("mask", "the bound of cycles");
+    const Segment words = segment_of(*stamp, {frame, ""});
+    for (std::size_t n = words.begin; n < words.end; ++n) {
+      bound.stamps += extract(stamp->words[n], mask.lsb, mask.width * mask.count) != 0;
+    }
+  }
+  return bound;
+}
+
+}  // namespace
+
+Result run_pipeline(Model* model, const Vectors& vectors, const Options& options, LastFrame* last) {
+  Bench bench(model, &vectors, &options, "", "clk_i");
+  const std::uint8_t* const busy = model->need("busy_o", 1).bit();
+  Sender* triangles = nullptr;
+  std::vector<std::pair<const Stream*, Receiver*>> receivers;
+  Receiver *pixel = nullptr, *scan = nullptr;
+  for (const Stream& stream : vectors.streams) {
+    if (stream.name == "triangle") {
+      triangles = &bench.add_sender(stream);
+      continue;
+    }
+    receivers.emplace_back(&stream, &bench.add_receiver(stream));
+    if (stream.name == "pixel") pixel = receivers.back().second;
+    if (stream.name == "scan") scan = receivers.back().second;
+  }
+  if (triangles == nullptr || pixel == nullptr || scan == nullptr) {
+    throw Error(vectors.directory + "/manifest.json: lacks one of the streams triangle, scan and pixel; make the set again");
+  }
+
+  const auto start = std::chrono::steady_clock::now();
+  bench.reset();
+  const std::vector<Turn> turns = turns_of(vectors, options.frames);
+  const Stream& triangle = *vectors.find("triangle");
+  bool ran = true;
+  for (std::size_t first = 0; first < turns.size() && ran;) {
+    const Frame& registers = vectors.frames[turns[first].frame];
+    std::size_t end = first;
+    while (end < turns.size() && same_registers(registers, vectors.frames[turns[end].frame])) ++end;
+    bench.set_frame(registers);
+    for (std::size_t turn = first; turn < end; ++turn) {
+      triangles->send(segment_of(triangle, turns[turn]));
+      for (const auto& [stream, receiver] : receivers) receiver->expect(segment_of(*stream, turns[turn]));
+    }
+    if (end == turns.size()) {
+      last->pixel = Words(vectors.find("pixel")->bits);
+      last->scan = Words(vectors.find("scan")->bits);
+      pixel->record_last(&last->pixel);
+      scan->record_last(&last->scan);
+    }
+    const auto done = [&] { return bench.all_done() && *busy == 0; };
+    if (first == 0) ran = bench.run([&] { return triangles->words() > 0; }, std::max(options.hang, kResetPatience));
+    ran = ran && bench.run(done, options.hang);
+    bench.idle(kPause);
+    first = end;
+  }
+
+  Result result;
+  result.unit = "pipeline";
+  bench.finish(&result);
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  result.bound = bound_of(vectors, options.setup_interval);
+  const std::vector<std::uint64_t>& ends = pixel->end_cycles();
+  if (options.frames > 1 && ends.size() == turns.size()) {
+    result.cycles = ends.back() - ends[ends.size() - 2];
+    result.cycles_of = "the last frame, in steady state";
+  } else {
+    result.cycles = ends.empty() ? bench.cycle() : ends.back() - bench.first_move() + 1;
+    result.cycles_of = "all frames, first triangle to last pixel";
+  }
+  return result;
+}
+
+}  // namespace halfspace::tb

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report.hpp"
+
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace halfspace::tb {
+namespace {
+
+void print_table(const Result& result) {
+  std::printf("%-12s %-32s %12s %12s\n", "stream", "from -> to", "words", "mismatches");
+  for (const StreamResult& stream : result.streams) {
+    std::printf("%-12s %-32s %12zu %12zu\n", stream.name.c_str(), (stream.from + " -> " + stream.to).c_str(), stream.words,
+                stream.mismatches);
+  }
+}
+
+// Only of a pipeline: what its units' rates allow for the last frame.
+void print_bound(const Result& result) {
+  if (result.bound.cycles() == 0) return;
+  std::printf("bound of a frame: %llu cycles (", static_cast<unsigned long long>(result.bound.cycles()));
+  if (result.bound.setup != 0) {
+    std::printf("triangles x setup interval %llu, ", static_cast<unsigned long long>(result.bound.setup));
+  }
+  std::printf("covered stamps %llu, stamps of the frame %llu)", static_cast<unsigned long long>(result.bound.stamps),
+              static_cast<unsigned long long>(result.bound.pixels));
+  std::printf(", measured %llu: %.3f x\n", static_cast<unsigned long long>(result.cycles),
+              double(result.cycles) / double(result.bound.cycles()));
+}
+
+// Calls put(x, y, lane, word) for each pixel of the last frame that a word holds.
+template <class Put>
+void each_pixel(const Vectors& vectors, const std::string& name, const Words& words, Put put) {
+  const Stream& stream = *vectors.find(name);
+  const Field &x_field = stream.need("x", "a picture"), &y_field = stream.need("y", "a picture");
+  const Frame& frame = vectors.frames.back();
+  for (std::size_t n = 0; n < words.size(); ++n) {
+    for (int lane = 0; lane < vectors.lanes(); ++lane) {
+      const std::uint64_t x = x_field.raw(words[n]) * unsigned(vectors.lanes_x) + unsigned(lane % vectors.lanes_x);
+      const std::uint64_t y = y_field.raw(words[n]) * unsigned(vectors.lanes_y) + unsigned(lane / vectors.lanes_x);
+      if (x < frame.width && y < frame.height) put(std::size_t(y * frame.width + x), lane, words[n]);
+    }
+  }
+}
+
+}  // namespace
+
+void print_result(const Vectors& vectors, const Result& result) {
+  const bool pipeline = result.unit == "pipeline";
+  for (const std::string& failure : result.failures) std::printf("FAIL %s: %s\n", result.unit.c_str(), failure.c_str());
+  print_table(result);
+  std::printf("cycles: %llu (%s); %llu simulated in %.2f s, %.2f M cycles/s\n",
+              static_cast<unsigned long long>(result.cycles), result.cycles_of.c_str(),
+              static_cast<unsigned long long>(result.simulated), result.seconds,
+              double(result.simulated) / result.seconds * 1e-6);
+  if (pipeline) print_bound(result);
+  std::printf("%s %s %s: %zu words on %zu streams compared, %zu mismatches, %llu cycles\n",
+              pipeline ? "cosim" : ("bench " + result.unit).c_str(), vectors.scene.c_str(), vectors.config.c_str(),
+              result.words(), result.streams.size(), result.mismatches(), static_cast<unsigned long long>(result.cycles));
+}
+
+std::string json_report(const Vectors& vectors, const Options& options, const std::vector<Result>& results) {
+  using Json = nlohmann::ordered_json;
+  Json runs = Json::array();
+  bool passed = !results.empty();
+  for (const Result& result : results) {
+    passed = passed && result.passed();
+    Json streams = Json::array();
+    for (const StreamResult& stream : result.streams) {
+      streams.push_back({{"name", stream.name},
+                         {"from", stream.from},
+                         {"to", stream.to},
+                         {"words", stream.words},
+                         {"mismatches", stream.mismatches}});
+    }
+    Json run = {{"unit", result.unit},
+                {"passed", result.passed()},
+                {"words", result.words()},
+                {"mismatches", result.mismatches()},
+                {"cycles", result.cycles},
+                {"cycles_of", result.cycles_of},
+                {"simulated_cycles", result.simulated},
+                {"seconds", result.seconds},
+                {"streams", streams},
+                {"failures", result.failures}};
+    if (result.unit == "pipeline") {
+      run["bound"] = {{"cycles", result.bound.cycles()},
+                      {"setup", result.bound.setup},
+                      {"covered_stamps", result.bound.stamps},
+                      {"frame_stamps", result.bound.pixels}};
+    }
+    runs.push_back(run);
+  }
+  return Json({{"format", "halfspace-cosim 1"},
+               {"scene", vectors.scene},
+               {"config", vectors.config},
+               {"lanes_x", vectors.lanes_x},
+               {"lanes_y", vectors.lanes_y},
+               {"seed", options.seed},
+               {"stall", options.stall},
+               {"passed", passed},
+               {"runs", runs}})
+             .dump(1) +
+         "\n";
+}
+
+std::string rgba_picture(const Vectors& vectors, const Words& pixel) {
+  const Frame& frame = vectors.frames.back();
+  const Stream& stream = *vectors.find("pixel");
+  const Field* const channels[3] = {&stream.need("r", "a picture"), &stream.need("g", "a picture"),
+                                    &stream.need("b", "a picture")};
+  std::string bytes(std::size_t(frame.width) * frame.height * 4, '\0');
+  each_pixel(vectors, "pixel", pixel, [&](std::size_t at, int lane, const std::uint32_t* word) {
+    for (std::size_t c = 0; c < 3; ++c) bytes[4 * at + c] = char(channels[c]->raw(word, lane));
+    bytes[4 * at + 3] = char(255);
+  });
+  return bytes;
+}
+
+std::string index_picture(const Vectors& vectors, const Words& scan) {
+  const Frame& frame = vectors.frames.back();
+  const Field& index = vectors.find("scan")->need("index", "a picture");
+  std::string bytes(std::size_t(frame.width) * frame.height * 4, '\0');
+  each_pixel(vectors, "scan", scan, [&](std::size_t at, int lane, const std::uint32_t* word) {
+    const std::uint32_t value = std::uint32_t(index.raw(word, lane));
+    std::memcpy(&bytes[4 * at], &value, 4);
+  });
+  return bytes;
+}
+
+void write_file(const std::string& file, const std::string& bytes) {
+  const std::string part = file + ".part";
+  std::ofstream out(part, std::ios::binary);
+  out.write(bytes.data(), std::streamsize(bytes.size()));
+  out.close();
+  if (!out || std::rename(part.c_str(), file.c_str()) != 0) {
+    std::remove(part.c_str());
+    throw Error(file + ": cannot be written; choose a folder that exists and is writable");
+  }
+}
+
+}  // namespace halfspace::tb

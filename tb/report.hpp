@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the runs gave, for a person and as JSON.
+#ifndef HALFSPACE_TB_REPORT_HPP_
+#define HALFSPACE_TB_REPORT_HPP_
+
+#include <string>
+#include <vector>
+
+#include "bench.hpp"
+
+namespace halfspace::tb {
+
+// Failures, a table of the streams, and last the line "cosim SCENE CONFIG: …" or "bench UNIT SCENE CONFIG: …".
+void print_result(const Vectors& vectors, const Result& result);
+
+// Writes through a second file, so that a failure leaves the old one as it was. Throws Error.
+void write_file(const std::string& file, const std::string& bytes);
+std::string json_report(const Vectors& vectors, const Options& options, const std::vector<Result>& results);
+
+// Pictures of the words received: rgba8 from `pixel`, u32 from `scan`; row 0 on top. A pixel that never came is 0.
+std::string rgba_picture(const Vectors& vectors, const Words& pixel);
+std::string index_picture(const Vectors& vectors, const Words& scan);
+
+}  // namespace halfspace::tb
+
+#endif  // HALFSPACE_TB_REPORT_HPP_

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "units.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstring>
+#include <memory>
+
+namespace halfspace::tb {
+namespace {
+
+constexpr int kPause = 64;  // cycles after a frame in which a surplus word shows
+
+struct Unit {
+  const char* name;
+  std::vector<const char*> sends;     // streams it takes
+  std::vector<const char*> expects;   // streams and probes it sends
+  std::vector<const char*> preloads;  // streams that the bench stores in the unit's buffer before the frame
+  bool clears;                        // the bench clears the I-buffer before each frame
+};
+
+const Unit kUnits[] = {
+    {"triangle_setup", {"triangle"}, {"setup", "attributes"}, {}, false},
+    {"shade_setup", {"attributes"}, {"planes"}, {}, false},
+    {"raster_pineda", {"setup"}, {"stamp"}, {}, false},
+    {"ztest_index", {"stamp"}, {"update", "visible"}, {}, true},
+    {"scan_index", {}, {"scan"}, {"update"}, false},  // and a start token a frame: run_scan
+    {"shade_gouraud", {"scan"}, {"pixel"}, {"planes"}, false},
+};
+
+const Unit& find_unit(const std::string& name) {
+  for (const Unit& unit : kUnits) {
+    if (name == unit.name) return unit;
+  }
+  std::string names;
+  for (const Unit& unit : kUnits) names += std::string(names.empty() ? "" : ", ") + unit.name;
+  throw Error("--unit " + name + ": there is no such unit; take all or one of " + names);
+}
+
+const Stream& need_stream(const Vectors& vectors, const std::string& name) {
+  if (const Stream* const stream = vectors.find(name)) return *stream;
+  throw Error(vectors.directory + "/manifest.json: has no stream " + name + ", which the bench needs; make the set again");
+}
+
+Segment segment_of(const Stream& stream, std::size_t frame, const std::string& note = "") {
+  std::size_t begin = 0;
+  for (std::size_t f = 0; f < frame; ++f) begin += stream.frame_words[f];
+  return {&stream, begin, begin + stream.frame_words[frame], frame, note};
+}
+
+// A unit on its bench, with the state that lasts from frame to frame.
+class UnitBench {
+ public:
+  UnitBench(const Unit& unit, Model* model, const Vectors& vectors, const Options& options)
+      : unit_(unit),
+        vectors_(vectors),
+        options_(options),
+        bench_(model, &vectors, &options, std::string(unit.name) + "_", std::string(unit.name) + "_clk_i") {
+    for (const char* name : unit.preloads) preloads_.push_back(&bench_.add_sender(need_stream(vectors, name)));
+    for (const char* name : unit.sends) senders_.push_back(&bench_.add_sender(need_stream(vectors, name)));
+    for (const char* name : unit.expects) receivers_.push_back(&bench_.add_receiver(need_stream(vectors, name)));
+  }
+
+  Result run() {
+    const auto start = std::chrono::steady_clock::now();
+    bench_.reset();
+    if (std::strcmp(unit_.name, "scan_index") == 0) {
+      run_scan();
+    } else {
+      for (std::size_t frame = 0; frame < vectors_.frames.size(); ++frame) {
+        if (!run_frame(frame)) break;
+      }
+    }
+    Result result;
+    result.unit = unit_.name;
+    result.cycles = cycles_;
+    result.cycles_of = "all frames, first to last word, stalls included";
+    bench_.finish(&result);
+    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return result;
+  }
+
+ private:
+  bool run_frame(std::size_t frame) {
+    bench_.set_frame(vectors_.frames[frame]);
+    if (unit_.clears) clear();
+    if (!preload(frame)) return false;
+    for (std::size_t i = 0; i < senders_.size(); ++i) {
+      senders_[i]->send(segment_of(need_stream(vectors_, unit_.sends[i]), frame));
+    }
+    for (std::size_t i = 0; i < receivers_.size(); ++i) {
+      receivers_[i]->expect(segment_of(need_stream(vectors_, unit_.expects[i]), frame));
+    }
+    return finish_frame();
+  }
+
+  // The scan itself, a second one that has to find the buffer cleared, and once a clear without a scan.
+  void run_scan() {
+    const Stream& scan = need_stream(vectors_, "scan");
+    const Field& index = scan.need("index", "the bench of scan_index");
+    cleared_ = scan;
+    cleared_.words = Words(scan.bits);
+    for (std::size_t n = 0; n < scan.words.size(); ++n) {
+      std::uint32_t* const word = cleared_.words.append();
+      std::memcpy(word, scan.words[n], scan.words.parts() * 4);
+      for (int bit = index.lsb; bit < index.lsb + index.width * index.count; ++bit) word[bit / 32] &= ~(1u << (bit % 32));
+    }
+    tokens_.name = "start";
+    tokens_.words = Words(1);
+    tokens_.words.append();
+    *tokens_.words.append() = 1;
+    const std::string prefix = bench_.prefix();
+    const Wires wires{&bench_.model().need(prefix + "start_clear_i", 1), &bench_.model().need(prefix + "start_valid_i", 1),
+                      &bench_.model().need(prefix + "start_ready_o", 1)};
+    Sender& start = bench_.add_sender(wires, "start");
+
+    clear();
+    bool tried_clear = false;
+    for (std::size_t frame = 0; frame < vectors_.frames.size(); ++frame) {
+      bench_.set_frame(vectors_.frames[frame]);
+      if (!preload(frame)) return;
+      start.send({&tokens_, 0, 1, frame, ""});
+      receivers_[0]->expect(segment_of(scan, frame));
+      if (!finish_frame()) return;
+      start.send({&tokens_, 0, 1, frame, ""});
+      receivers_[0]->expect(segment_of(cleared_, frame, " (second scan: the first one has to leave the I-buffer cleared)"));
+      if (!finish_frame()) return;
+      if (tried_clear || unit_stream_empty("update", frame)) continue;
+      tried_clear = true;
+      if (!preload(frame)) return;
+      start.send({&tokens_, 1, 2, frame, ""});
+      start.send({&tokens_, 0, 1, frame, ""});
+      receivers_[0]->expect(segment_of(cleared_, frame, " (scan after a token with start_clear_i)"));
+      if (!finish_frame()) return;
+    }
+  }
+
+  bool unit_stream_empty(const char* name, std::size_t frame) const {
+    return need_stream(vectors_, name).frame_words[frame] == 0;
+  }
+
+  // All of the bench's I-buffer to 0, in one cycle.
+  void clear() {
+    const std::string port = bench_.prefix() + "clear_i";
+    bench_.model().set(port, 1);
+    bench_.idle(1);
+    bench_.model().set(port, 0);
+  }
+
+  bool preload(std::size_t frame) {
+    for (std::size_t i = 0; i < preloads_.size(); ++i) {
+      preloads_[i]->send(segment_of(need_stream(vectors_, unit_.preloads[i]), frame));
+    }
+    const bool loaded = bench_.run([this] { return bench_.all_done(); }, options_.hang);
+    bench_.idle(1);
+    return loaded;
+  }
+
+  bool finish_frame() {
+    const std::uint64_t before = bench_.cycle();
+    const bool finished = bench_.run([this] { return bench_.all_done(); }, options_.hang);
+    cycles_ += bench_.cycle() - before;
+    bench_.idle(kPause);
+    return finished;
+  }
+
+  const Unit& unit_;
+  const Vectors& vectors_;
+  const Options& options_;
+  Bench bench_;
+  std::vector<Sender*> senders_, preloads_;
+  std::vector<Receiver*> receivers_;
+  std::uint64_t cycles_ = 0;
+  Stream cleared_, tokens_;  // of run_scan; the bench points to them until its end
+};
+
+}  // namespace
+
+std::vector<std::string> unit_names() {
+  std::vector<std::string> names;
+  for (const Unit& unit : kUnits) names.push_back(unit.name);
+  return names;
+}
+
+std::vector<std::string> unit_streams(const std::string& name) {
+  const Unit& unit = find_unit(name);
+  std::vector<std::string> streams;
+  for (const auto* list : {&unit.sends, &unit.expects, &unit.preloads}) {
+    streams.insert(streams.end(), list->begin(), list->end());
+  }
+  return streams;
+}
+
+Result run_unit(const std::string& unit, Model* model, const Vectors& vectors, const Options& options) {
+  return UnitBench(find_unit(unit), model, vectors, options).run();
+}
+
+}  // namespace halfspace::tb

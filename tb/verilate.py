@@ -1,0 +1,69 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Turns one top module into C++ with names that a build can know beforehand.
+
+Verilator names its files by the hash of what is in them. This runs it with the prefix Vmodel and leaves in --out:
+  Vmodel.h   the class
+  ports.inc  HS_PORT(name, bits, is_input) for every port, with the width in bits, which sizeof does not tell
+  fast.cpp   includes what runs every cycle
+  slow.cpp   includes constructors and reset
+"""
+
+import argparse
+import pathlib
+import re
+import subprocess
+import sys
+
+PORT = re.compile(r"^\s*VL_(IN|OUT)(?:8|16|64|W)?\(&?(\w+),(\d+),(\d+)")
+
+
+def verilate(args):
+    out = pathlib.Path(args.out)
+    out.mkdir(parents=True, exist_ok=True)
+    for old in out.glob("Vmodel*"):
+        old.unlink()
+    command = [args.verilator, "--cc", "--prefix", "Vmodel", "--Mdir", str(out), "--top-module", args.top,
+               f"-GLanesX={args.lanes_x}", f"-GLanesY={args.lanes_y}", *args.flag, *args.sources]
+    result = subprocess.run(command, capture_output=True, text=True)
+    sys.stderr.write(result.stdout + result.stderr)
+    return result.returncode
+
+
+def write_sources(out):
+    ports = []
+    for line in (out / "Vmodel.h").read_text().splitlines():
+        if match := PORT.match(line):
+            direction, name, msb, lsb = match.groups()
+            ports.append(f"HS_PORT({name}, {int(msb) - int(lsb) + 1}, {int(direction == 'IN')})\n")
+    if not ports:
+        return f"{out}/Vmodel.h: no port found; this Verilator prints them in another way"
+    (out / "ports.inc").write_text("".join(ports))
+    files = sorted(path.name for path in out.glob("Vmodel*.cpp"))
+    is_slow = [name.endswith("__Slow.cpp") or name == "Vmodel__Syms.cpp" for name in files]
+    for target, slow in (("fast.cpp", False), ("slow.cpp", True)):
+        chosen = [name for name, s in zip(files, is_slow) if s == slow]
+        (out / target).write_text("".join(f'#include "{name}"\n' for name in chosen))
+    return ""
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--verilator", default="verilator", help="the program (default: %(default)s)")
+    parser.add_argument("--top", required=True, help="top module")
+    parser.add_argument("--lanes-x", type=int, required=True)
+    parser.add_argument("--lanes-y", type=int, required=True)
+    parser.add_argument("--out", required=True, help="folder for the C++")
+    parser.add_argument("--flag", action="append", default=[], help="a further flag of Verilator: --flag=-O3")
+    parser.add_argument("sources", nargs="+", help="SystemVerilog files, the package first")
+    args = parser.parse_args()
+    if code := verilate(args):
+        return code
+    if sentence := write_sources(pathlib.Path(args.out)):
+        print(f"verilate: {sentence}", file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
