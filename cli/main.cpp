@@ -17,6 +17,13 @@ void write_json(const std::string& path, const Json& json) {
 
 std::string decibels(double psnr) { return std::isinf(psnr) ? "∞" : fmt::format("{:.2f}", psnr); }
 
+namespace {
+
+// JSON has no infinity: two equal frames give null.
+Json finite(double value) { return std::isinf(value) ? Json(nullptr) : Json(value); }
+
+}  // namespace
+
 Json to_json(const vectors::Accuracy& a) {
   return {{"pixels", a.pixels},
           {"covered_differ", a.covered_differ},
@@ -26,7 +33,8 @@ Json to_json(const vectors::Accuracy& a) {
           {"depth_differ", a.depth_differ},
           {"colour_largest_lsb", a.colour_largest},
           {"colour_differ", a.colour_differ},
-          {"psnr_db", std::isinf(a.psnr) ? Json(nullptr) : Json(a.psnr)}};
+          {"depth_psnr_db", finite(a.depth_psnr)},
+          {"psnr_db", finite(a.psnr)}};
 }
 
 }  // namespace halfspace::cli

@@ -19,11 +19,12 @@ struct Accuracy {
   std::uint64_t depth_differ = 0;
   std::int64_t colour_largest = 0;  // LSB of 8 bits
   std::uint64_t colour_differ = 0;  // channels
-  // Over the whole frame and all channels; infinite when equal.
-  double psnr = 0;
+  // Peak signal-to-noise ratios, dB, infinite when equal: of the stored depths compared, against full scale, and of
+  // all channels of the whole frame.
+  double depth_psnr = 0, psnr = 0;
 };
 
-Accuracy accuracy(const ref::Frame& reference, const ref::Frame& kernels);
+Accuracy accuracy(const ref::Frame& reference, const ref::Frame& kernels, int depth_bits);
 
 }  // namespace halfspace::vectors
 

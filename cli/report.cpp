@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+// halfspace report: a scene three ways, as pictures and as the table of its stages.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <sstream>
+
+#include "cli/commands.hpp"
+#include "cli/picture.hpp"
+#include "cli/scene_input.hpp"
+#include "ref/error.hpp"
+#include "vectors/engine.hpp"
+
+namespace halfspace::cli {
+namespace {
+
+struct Options {
+  SceneInput input;
+  std::string out, cosim, units, rtl_frame, json;
+};
+
+Json read_json(const std::string& path) {
+  if (path.empty()) return Json::object();
+  std::ifstream file(path);
+  Json json = Json::parse(file, nullptr, false);
+  if (!file || json.is_discarded() || !json.contains("runs")) {
+    throw ref::Error(fmt::format("{}: not a report of the co-simulation: give what --json of a tb_ program wrote", path));
+  }
+  return json;
+}
+
+// The frame that the RTL drew, as raw RGBA.
+ref::Frame read_rtl_frame(const std::string& path, const ref::Frame& like) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << file.rdbuf();
+  const std::string text = bytes.str();
+  ref::Frame frame = like;
+  if (!file || text.size() != frame.colour.size() * 4) {
+    throw ref::Error(fmt::format("{}: not a frame of {}x{} in RGBA: give what --dump of tb_pipeline wrote for this scene",
+                                 path, like.width, like.height));
+  }
+  std::memcpy(frame.colour.data(), text.data(), text.size());
+  return frame;
+}
+
+struct Row {
+  const char* stage;
+  std::vector<const char*> streams;  // that it sends
+};
+const Row kRows[] = {{"triangle_setup", {"setup", "attributes"}}, {"shade_setup", {"planes"}},
+                     {"raster_pineda", {"stamp"}},                {"ztest_index", {"update", "visible"}},
+                     {"scan_index", {"scan"}},                    {"shade_gouraud", {"pixel"}}};
+
+// words and mismatches of a stage in the co-simulation.
+std::pair<std::uint64_t, std::uint64_t> compared(const Json& cosim, const Row& row) {
+  std::uint64_t words = 0, mismatches = 0;
+  for (const Json& run : cosim.value("runs", Json::array())) {
+    for (const Json& stream : run["streams"]) {
+      for (const char* name : row.streams) {
+        if (stream["name"] != name) continue;
+        words += stream["words"].get<std::uint64_t>();
+        mismatches += stream["mismatches"].get<std::uint64_t>();
+      }
+    }
+  }
+  return {words, mismatches};
+}
+
+std::string cycles_of(const Json& report, const std::string& unit) {
+  for (const Json& run : report.value("runs", Json::array())) {
+    if (run["unit"] == unit) return std::to_string(run["cycles"].get<std::uint64_t>());
+  }
+  return "–";
+}
+
+Json print_table(const Json& cosim, const Json& units, const vectors::Accuracy& a) {
+  // Column widths count characters: fmt pads by display width.
+  fmt::print("\n{:<15} {:>10} {:>10}  {:<34} {:>7} {:>10}\n", "stage", "words", "mismatches", "error against the reference",
+             "dB", "cycles");
+  Json rows = Json::array();
+  for (const Row& row : kRows) {
+    const auto [words, mismatches] = compared(cosim, row);
+    std::string error = "–", ratio = "–";
+    if (!std::strcmp(row.stage, "raster_pineda")) error = fmt::format("{} pixels of coverage", a.covered_differ);
+    if (!std::strcmp(row.stage, "ztest_index")) {
+      error = fmt::format("depth {} LSB, index {} pixels", a.depth_largest, a.index_differ);
+      ratio = decibels(a.depth_psnr);
+    }
+    if (!std::strcmp(row.stage, "shade_gouraud")) {
+      error = fmt::format("colour {} LSB of 8", a.colour_largest);
+      ratio = decibels(a.psnr);
+    }
+    fmt::print("{:<15} {:>10} {:>10}  {:<34} {:>7} {:>10}\n", row.stage, words, mismatches, error, ratio,
+               cycles_of(units, row.stage));
+    rows.push_back({{"stage", row.stage}, {"words", words}, {"mismatches", mismatches}, {"error", error}});
+  }
+  for (const Json& run : cosim.value("runs", Json::array())) {
+    fmt::print("{:<15} {:>10} {:>10}  {:<34} {:>7} {:>10}\n", "pipeline", run["words"].get<std::uint64_t>(),
+               run["mismatches"].get<std::uint64_t>(), "", "", run["cycles"].get<std::uint64_t>());
+    fmt::print("\nwords: RTL against kernels, to the bit. error: kernels against the floating-point reference, largest.\n"
+               "cycles: of each unit alone without stalls; pipeline: {}.\n",
+               run["cycles_of"].get<std::string>());
+  }
+  return rows;
+}
+
+int report(const Options& options) {
+  const Json cosim = read_json(options.cosim), units = read_json(options.units);
+  const ref::SnappedList scene = load_snapped(options.input);
+  const ref::Frame reference = ref::render(scene);
+  const ref::Frame kernels = vectors::make_engine(scene.format.name, 16)->render(scene);
+  const vectors::Accuracy a = vectors::accuracy(reference, kernels, scene.format.depth_bits);
+  constexpr int kGain = 64;
+
+  const std::filesystem::path out(options.out);
+  auto picture = [&](const char* name, const Picture& p) {
+    write_picture((out / name).string(), p);
+    fmt::print("{}\n", (out / name).string());
+  };
+  picture("frame_ref.png", colour_picture(reference));
+  picture("frame_hls.png", colour_picture(kernels));
+  bool rtl_equal = true;
+  if (!options.rtl_frame.empty()) {
+    const ref::Frame rtl = read_rtl_frame(options.rtl_frame, kernels);
+    picture("frame_rtl.png", colour_picture(rtl));
+    rtl_equal = rtl.colour == kernels.colour;
+  }
+  picture("index.png", index_picture(kernels));
+  picture("depth.png", depth_picture(kernels));
+  picture(fmt::format("difference_x{}.png", kGain).c_str(), difference_picture(reference, kernels, kGain));
+
+  const Json rows = print_table(cosim, units, a);
+  write_json(options.json, {{"scene", options.input.scene},
+                            {"config", scene.format.name},
+                            {"accuracy", to_json(a)},
+                            {"rows", rows},
+                            {"rtl_frame_equals_kernels", rtl_equal}});
+  bool passed = rtl_equal && a.covered_differ == 0;
+  for (const Json* json : {&cosim, &units}) passed = passed && (*json).value("passed", true);
+  if (!rtl_equal) std::fprintf(stderr, "halfspace: the frame of the RTL differs from the frame of the kernels\n");
+  fmt::print("{}\n", passed ? "PASS" : "FAIL");
+  return passed ? 0 : 1;
+}
+
+}  // namespace
+
+void add_report(CLI::App& app, int& status) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("report", "pictures and the table of the stages, with the co-simulation's counts");
+  add_scene_options(command, options->input);
+  command->add_option("--out", options->out, "folder for the pictures")->required();
+  command->add_option("--cosim", options->cosim, "JSON that tb_pipeline wrote");
+  command->add_option("--units", options->units, "JSON that tb_units wrote");
+  command->add_option("--rtl-frame", options->rtl_frame, "RGBA frame that tb_pipeline wrote");
+  command->add_option("--json", options->json, "file for the numbers");
+  command->callback([options, &status] { status = report(*options); });
+}
+
+}  // namespace halfspace::cli

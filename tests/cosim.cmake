@@ -1,0 +1,26 @@
+# What is co-simulated in every run of the tests, and, with label `long`, what takes longer.
+# Units alone, on corner cases, random frames and small frames of scenes.
+foreach(pair IN ITEMS low-4 middle-1 middle-16 high-4)
+  string(REPLACE "-" ";" pair ${pair})
+  list(GET pair 0 config)
+  list(GET pair 1 lanes)
+  halfspace_cosim(${config} ${lanes} standard TOP units STALL 35 SEEDS 10)
+endforeach()
+
+# The pipeline: corner cases and random frames under ten seeds, then whole frames.
+foreach(pair IN ITEMS low-4 middle-1 middle-4 middle-16 high-4)
+  string(REPLACE "-" ";" pair ${pair})
+  list(GET pair 0 config)
+  list(GET pair 1 lanes)
+  halfspace_cosim(${config} ${lanes} standard STALL 30 SEEDS 10)
+  halfspace_cosim(${config} ${lanes} teapot STALL 0 SEEDS 1 VECTORS --no-corners)
+  halfspace_cosim(${config} ${lanes} castle STALL 0 SEEDS 1 VECTORS --no-corners)
+endforeach()
+halfspace_cosim(middle 4 teapot NAME _stalls STALL 30 SEEDS 10 VECTORS --no-corners --size 320x240)
+halfspace_cosim(middle 4 castle NAME _stalls STALL 30 SEEDS 10 VECTORS --no-corners --size 320x240)
+foreach(file IN ITEMS OBJ/spider.obj glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb
+                      glTF2/BoxTextured-glTF/BoxTextured.gltf)
+  if(EXISTS ${HALFSPACE_TESTMODELS}/${file})
+    halfspace_cosim(middle 4 ${HALFSPACE_TESTMODELS}/${file} STALL 10 SEEDS 2 VECTORS --no-corners)
+  endif()
+endforeach()
