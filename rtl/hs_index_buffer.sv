@@ -10,6 +10,7 @@ module hs_index_buffer #(
   localparam int unsigned AddressBits = $clog2(Depth)
 ) (
   input  logic                       clk_i,
+  input  logic                       rst_ni,
 
   // From ztest_index
   input  logic                       ztest_read_en_i,
@@ -32,8 +33,9 @@ module hs_index_buffer #(
   logic [1:0] ztest_read, ztest_write, scan_read, scan_write;
   logic [2*Lanes*IndexBits-1:0] read_data;
 
-  always_ff @(posedge clk_i) begin
-    if (ztest_read_en_i) ztest_bank_q <= ztest_read_bank_i;
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) ztest_bank_q <= 1'b0;
+    else if (ztest_read_en_i) ztest_bank_q <= ztest_read_bank_i;
   end
 
   for (genvar bank = 0; bank < 2; bank++) begin : gen_bank
@@ -43,7 +45,7 @@ module hs_index_buffer #(
     assign scan_write[bank] = scan_write_en_i && scan_bank_i == 1'(bank);
 
     always_ff @(posedge clk_i) begin
-      assert (!(scan_write[bank] && (ztest_read[bank] || ztest_write[bank])));
+      if (rst_ni) assert (!scan_write[bank] || !(ztest_read[bank] || ztest_write[bank]));
     end
 
     hs_ram_1r1w #(

@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: Apache-2.0
+// The composition: triangles in, pixels out (kernels: hls/pipeline.hpp).
+//
+//   triangle ─► triangle_setup ─setup─► raster_pineda ─stamp─► ztest_index ─► visible
+//                     │                                            ▼
+//                 attributes                              I-buffer, Z-buffer
+//                     ▼                                            ▼
+//                shade_setup ─planes─► TdbS ─► shade_gouraud ◄─scan─ scan_index
+//                                                    ▼
+//                                                  pixel
+//
+// A frame is drawn while the one before is scanned out; see hs_frame_control. Cycles a frame in steady
+// state: the most of triangles × interval of triangle_setup, visited stamps, and groups of
+// shade_gouraud, and a few hundred.
+// Stall: each stream waits for its taker; a `visible` or `pixel` not taken stops all that is before.
+// Frame registers change only while busy_o is 0. Inner streams are there to watch, where the unit
+// offers them. `planes` never waits.
+module hs_pipeline #(
+  parameter int unsigned LanesX = 2,
+  parameter int unsigned LanesY = 2,
+  parameter int unsigned SetupFifoDepth = 16,
+  parameter int unsigned StampFifoDepth = 4,
+  parameter int unsigned AttributesFifoDepth = 4,
+  parameter int unsigned ScanFifoDepth = 4,
+  localparam int unsigned Lanes = LanesX * LanesY,
+  localparam int unsigned XBits = hs_formats_pkg::XBits,
+  localparam int unsigned YBits = hs_formats_pkg::YBits,
+  localparam int unsigned IndexBits = hs_formats_pkg::IndexBits,
+  localparam int unsigned DepthBits = hs_formats_pkg::DepthBits,
+  localparam int unsigned ColourBits = hs_formats_pkg::ColourBits,
+  localparam int unsigned StampBits = 2 + IndexBits + XBits + YBits + Lanes * (1 + DepthBits),
+  localparam int unsigned UpdateBits = IndexBits + XBits + YBits + Lanes * (1 + DepthBits),
+  localparam int unsigned ScanBits = 1 + XBits + YBits + Lanes * IndexBits,
+  localparam int unsigned PixelBits = 1 + XBits + YBits + Lanes * 3 * ColourBits
+) (
+  input  logic                        clk_i,
+  input  logic                        rst_ni,
+
+  // Frame registers
+  input  hs_formats_pkg::x_t          frame_width_i,
+  input  hs_formats_pkg::y_t          frame_height_i,
+  input  logic [3*ColourBits-1:0]     background_i,  // {r, g, b}
+  output logic                        busy_o,
+
+  // From geometry
+  input  logic                        triangle_valid_i,
+  output logic                        triangle_ready_o,
+  input  hs_formats_pkg::triangle_t   triangle_i,
+
+  // To geometry
+  output logic                        visible_valid_o,
+  input  logic                        visible_ready_i,
+  output hs_formats_pkg::visible_t    visible_o,
+
+  // To the frame
+  output logic                        pixel_valid_o,
+  input  logic                        pixel_ready_i,
+  output logic [PixelBits-1:0]        pixel_o,
+
+  // To watch
+  output logic                        setup_valid_o,
+  output logic                        setup_ready_o,
+  output hs_formats_pkg::setup_t      setup_o,
+  output logic                        attributes_valid_o,
+  output logic                        attributes_ready_o,
+  output hs_formats_pkg::attributes_t attributes_o,
+  output logic                        planes_valid_o,
+  output logic                        planes_ready_o,
+  output hs_formats_pkg::planes_t     planes_o,
+  output logic                        stamp_valid_o,
+  output logic                        stamp_ready_o,
+  output logic [StampBits-1:0]        stamp_o,
+  output logic                        update_valid_o,
+  output logic [UpdateBits-1:0]       update_o,
+  output logic                        scan_valid_o,
+  output logic                        scan_ready_o,
+  output logic [ScanBits-1:0]         scan_o
+);
+  localparam int unsigned StampsX = (hs_formats_pkg::MaxWidth + LanesX - 1) / LanesX;
+  localparam int unsigned StampsY = (hs_formats_pkg::MaxHeight + LanesY - 1) / LanesY;
+  localparam int unsigned AddressBits = $clog2(StampsX * StampsY);
+  localparam int unsigned EntryBits = $clog2(hs_formats_pkg::Triangles);
+  localparam int unsigned PlanesBits = 9 * hs_formats_pkg::ColourPlaneBits;
+
+  // --- frames ---
+  logic frames_open, start_valid, start_ready, start_clear, scan_bank, planes_bank;
+  logic setup_triangle_ready;
+  logic pixel_last;
+
+  assign triangle_ready_o = frames_open && setup_triangle_ready;
+  assign pixel_last = pixel_o[PixelBits-1];
+
+  hs_frame_control u_frame_control (
+    .clk_i          (clk_i),
+    .rst_ni         (rst_ni),
+    .open_o         (frames_open),
+    .busy_o         (busy_o),
+    .triangle_i     (triangle_valid_i && triangle_ready_o),
+    .triangle_last_i(triangle_i.last),
+    .visible_last_i (visible_valid_o && visible_ready_i && visible_o.last),
+    .planes_last_i  (planes_valid_o && planes_ready_o && planes_o.last),
+    .pixel_last_i   (pixel_valid_o && pixel_ready_i && pixel_last),
+    .start_valid_o  (start_valid),
+    .start_ready_i  (start_ready),
+    .start_clear_o  (start_clear),
+    .scan_bank_o    (scan_bank),
+    .planes_bank_o  (planes_bank)
+  );
+
+  // --- triangle_setup ---
+  hs_triangle_setup #(
+    .LanesX(LanesX),
+    .LanesY(LanesY)
+  ) u_triangle_setup (
+    .clk_i             (clk_i),
+    .rst_ni            (rst_ni),
+    .frame_width_i     (frame_width_i),
+    .frame_height_i    (frame_height_i),
+    .triangle_valid_i  (triangle_valid_i && frames_open),
+    .triangle_ready_o  (setup_triangle_ready),
+    .triangle_i        (triangle_i),
+    .setup_valid_o     (setup_valid_o),
+    .setup_ready_i     (setup_ready_o),
+    .setup_o           (setup_o),
+    .attributes_valid_o(attributes_valid_o),
+    .attributes_ready_i(attributes_ready_o),
+    .attributes_o      (attributes_o)
+  );
+
+  // --- setup ─► raster_pineda ---
+  logic raster_setup_valid, raster_setup_ready;
+  hs_formats_pkg::setup_t raster_setup;
+
+  hs_fifo #(
+    .Width($bits(setup_o)),
+    .Depth(SetupFifoDepth)
+  ) u_setup_fifo (
+    .clk_i      (clk_i),
+    .rst_ni     (rst_ni),
+    .in_valid_i (setup_valid_o),
+    .in_ready_o (setup_ready_o),
+    .in_i       (setup_o),
+    .out_valid_o(raster_setup_valid),
+    .out_ready_i(raster_setup_ready),
+    .out_o      (raster_setup)
+  );
+
+  hs_raster_pineda #(
+    .LanesX(LanesX),
+    .LanesY(LanesY)
+  ) u_raster_pineda (
+    .clk_i         (clk_i),
+    .rst_ni        (rst_ni),
+    .frame_width_i (frame_width_i),
+    .frame_height_i(frame_height_i),
+    .setup_valid_i (raster_setup_valid),
+    .setup_ready_o (raster_setup_ready),
+    .setup_i       (raster_setup),
+    .stamp_valid_o (stamp_valid_o),
+    .stamp_ready_i (stamp_ready_o),
+    .stamp_o       (stamp_o)
+  );
+
+  // --- stamp ─► ztest_index ---
+  logic ztest_stamp_valid, ztest_stamp_ready;
+  logic [StampBits-1:0] ztest_stamp;
+  logic ztest_read_en, ztest_read_bank, ztest_write_bank;
+  logic [AddressBits-1:0] ztest_read_address, ztest_write_address;
+  logic [Lanes*IndexBits-1:0] ztest_read_index;
+  logic [Lanes*DepthBits-1:0] ztest_read_depth, ztest_write_depth;
+  logic [Lanes-1:0] ztest_write_en;
+  hs_formats_pkg::index_t ztest_write_index;
+
+  hs_fifo #(
+    .Width(StampBits),
+    .Depth(StampFifoDepth)
+  ) u_stamp_fifo (
+    .clk_i      (clk_i),
+    .rst_ni     (rst_ni),
+    .in_valid_i (stamp_valid_o),
+    .in_ready_o (stamp_ready_o),
+    .in_i       (stamp_o),
+    .out_valid_o(ztest_stamp_valid),
+    .out_ready_i(ztest_stamp_ready),
+    .out_o      (ztest_stamp)
+  );
+
+  hs_ztest_index #(
+    .LanesX(LanesX),
+    .LanesY(LanesY)
+  ) u_ztest_index (
+    .clk_i          (clk_i),
+    .rst_ni         (rst_ni),
+    .stamp_valid_i  (ztest_stamp_valid),
+    .stamp_ready_o  (ztest_stamp_ready),
+    .stamp_i        (ztest_stamp),
+    .visible_valid_o(visible_valid_o),
+    .visible_ready_i(visible_ready_i),
+    .visible_o      (visible_o),
+    .update_valid_o (update_valid_o),
+    .update_o       (update_o),
+    .read_en_o      (ztest_read_en),
+    .read_bank_o    (ztest_read_bank),
+    .read_address_o (ztest_read_address),
+    .read_index_i   (ztest_read_index),
+    .read_depth_i   (ztest_read_depth),
+    .write_en_o     (ztest_write_en),
+    .write_bank_o   (ztest_write_bank),
+    .write_address_o(ztest_write_address),
+    .write_index_o  (ztest_write_index),
+    .write_depth_o  (ztest_write_depth)
+  );
+
+  // --- Z-buffer and I-buffer ---
+  logic scan_read_en, scan_write_en;
+  logic [AddressBits-1:0] scan_address;
+  logic [Lanes*IndexBits-1:0] scan_read_index;
+
+  hs_ram_1r1w #(
+    .Width(Lanes * DepthBits),
+    .Depth(StampsX * StampsY),
+    .Lanes(Lanes)
+  ) u_depth_buffer (
+    .clk_i          (clk_i),
+    .read_en_i      (ztest_read_en),
+    .read_address_i (ztest_read_address),
+    .read_data_o    (ztest_read_depth),
+    .write_en_i     (ztest_write_en),
+    .write_address_i(ztest_write_address),
+    .write_data_i   (ztest_write_depth)
+  );
+
+  hs_index_buffer #(
+    .Lanes(Lanes),
+    .Depth(StampsX * StampsY)
+  ) u_index_buffer (
+    .clk_i                (clk_i),
+    .rst_ni               (rst_ni),
+    .ztest_read_en_i      (ztest_read_en),
+    .ztest_read_bank_i    (ztest_read_bank),
+    .ztest_read_address_i (ztest_read_address),
+    .ztest_read_index_o   (ztest_read_index),
+    .ztest_write_en_i     (ztest_write_en),
+    .ztest_write_bank_i   (ztest_write_bank),
+    .ztest_write_address_i(ztest_write_address),
+    .ztest_write_index_i  (ztest_write_index),
+    .scan_bank_i          (scan_bank),
+    .scan_read_en_i       (scan_read_en),
+    .scan_write_en_i      (scan_write_en),
+    .scan_address_i       (scan_address),
+    .scan_read_index_o    (scan_read_index)
+  );
+
+  hs_scan_index #(
+    .LanesX(LanesX),
+    .LanesY(LanesY)
+  ) u_scan_index (
+    .clk_i         (clk_i),
+    .rst_ni        (rst_ni),
+    .frame_width_i (frame_width_i),
+    .frame_height_i(frame_height_i),
+    .start_valid_i (start_valid),
+    .start_ready_o (start_ready),
+    .start_clear_i (start_clear),
+    .scan_valid_o  (scan_valid_o),
+    .scan_ready_i  (scan_ready_o),
+    .scan_o        (scan_o),
+    .read_en_o     (scan_read_en),
+    .write_en_o    (scan_write_en),
+    .address_o     (scan_address),
+    .read_index_i  (scan_read_index)
+  );
+
+  // --- attributes ─► shade_setup ─► TdbS ---
+  logic shade_attributes_valid, shade_attributes_ready;
+  hs_formats_pkg::attributes_t shade_attributes;
+  logic shade_read_en, shade_read_bank;
+  logic [EntryBits-1:0] shade_read_entry, planes_entry;
+  logic [PlanesBits-1:0] shade_read_planes;
+
+  hs_fifo #(
+    .Width($bits(attributes_o)),
+    .Depth(AttributesFifoDepth)
+  ) u_attributes_fifo (
+    .clk_i      (clk_i),
+    .rst_ni     (rst_ni),
+    .in_valid_i (attributes_valid_o),
+    .in_ready_o (attributes_ready_o),
+    .in_i       (attributes_o),
+    .out_valid_o(shade_attributes_valid),
+    .out_ready_i(shade_attributes_ready),
+    .out_o      (shade_attributes)
+  );
+
+  hs_shade_setup u_shade_setup (
+    .clk_i             (clk_i),
+    .rst_ni            (rst_ni),
+    .attributes_valid_i(shade_attributes_valid),
+    .attributes_ready_o(shade_attributes_ready),
+    .attributes_i      (shade_attributes),
+    .planes_valid_o    (planes_valid_o),
+    .planes_ready_i    (planes_ready_o),
+    .planes_o          (planes_o)
+  );
+
+  assign planes_ready_o = 1'b1;
+  assign planes_entry = EntryBits'(planes_o.index) - EntryBits'(1);
+
+  hs_ram_1r1w #(
+    .Width(PlanesBits),
+    .Depth(2 << EntryBits)
+  ) u_shading_database (
+    .clk_i          (clk_i),
+    .read_en_i      (shade_read_en),
+    .read_address_i ({shade_read_bank, shade_read_entry}),
+    .read_data_o    (shade_read_planes),
+    .write_en_i     (planes_valid_o && !planes_o.empty),
+    .write_address_i({planes_bank, planes_entry}),
+    .write_data_i   (planes_o[PlanesBits-1:0])
+  );
+
+  // --- scan ─► shade_gouraud ---
+  logic shade_scan_valid, shade_scan_ready;
+  logic [ScanBits-1:0] shade_scan;
+
+  hs_fifo #(
+    .Width(ScanBits),
+    .Depth(ScanFifoDepth)
+  ) u_scan_fifo (
+    .clk_i      (clk_i),
+    .rst_ni     (rst_ni),
+    .in_valid_i (scan_valid_o),
+    .in_ready_o (scan_ready_o),
+    .in_i       (scan_o),
+    .out_valid_o(shade_scan_valid),
+    .out_ready_i(shade_scan_ready),
+    .out_o      (shade_scan)
+  );
+
+  hs_shade_gouraud #(
+    .LanesX(LanesX),
+    .LanesY(LanesY)
+  ) u_shade_gouraud (
+    .clk_i        (clk_i),
+    .rst_ni       (rst_ni),
+    .background_i (background_i),
+    .scan_valid_i (shade_scan_valid),
+    .scan_ready_o (shade_scan_ready),
+    .scan_i       (shade_scan),
+    .read_en_o    (shade_read_en),
+    .read_bank_o  (shade_read_bank),
+    .read_entry_o (shade_read_entry),
+    .read_planes_i(shade_read_planes),
+    .pixel_valid_o(pixel_valid_o),
+    .pixel_ready_i(pixel_ready_i),
+    .pixel_o      (pixel_o)
+  );
+endmodule
