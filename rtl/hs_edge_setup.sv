@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: Apache-2.0
+// Triangle setup, first part, after order_vertices() and edge_start() of hls/triangle_setup.hpp:
+// the order of the vertices, D, the bounding box and the three edge functions, each of them
+// measured from vertex 0, where (x, y) is the way from the start to vertex 0:
+//
+//   D = dx1·dy2 − dy1·dx2
+//   E_i = (i = 1 ? D : 0) − e_dy_i·y − e_dx_i·x − (inclusive ? 0 : 1)
+//
+// These are the kernel's numbers: edges 0 and 2 pass through vertex 0, and the three functions sum
+// up to D. All products are made on one multiplier.
+//
+// A triangle is read where it stands and taken when D is known: ready follows valid. It then rests
+// in the output while its edges are computed, hs_reciprocal divides, and the next triangle is
+// looked at. Interval: at most 15 cycles; 3 if the box is empty, 7 if D = 0. Stall: the area waits
+// for hs_reciprocal, the next triangle for the output to be taken. An empty triangle sends no area,
+// and only last, empty and index of its records count. Fields that are not computed here are 0.
+module hs_edge_setup #(
+  parameter int unsigned LanesX = 1,
+  parameter int unsigned LanesY = 1
+) (
+  input  logic                        clk_i,
+  input  logic                        rst_ni,
+  input  hs_formats_pkg::x_t          frame_width_i,
+  input  hs_formats_pkg::y_t          frame_height_i,
+
+  // From geometry
+  input  logic                        triangle_valid_i,
+  output logic                        triangle_ready_o,
+  input  hs_formats_pkg::triangle_t   triangle_i,
+
+  // To hs_reciprocal: D
+  output logic                        area_valid_o,
+  input  logic                        area_ready_i,
+  output hs_formats_pkg::area_t       area_o,
+
+  // To hs_triangle_setup: both records, the depths of the ordered vertices, the way to vertex 0
+  output logic                        edge_valid_o,
+  input  logic                        edge_ready_i,
+  output hs_formats_pkg::setup_t      setup_o,
+  output hs_formats_pkg::attributes_t attributes_o,
+  output hs_formats_pkg::depth_t      depth0_o,
+  output hs_formats_pkg::depth_t      depth1_o,
+  output hs_formats_pkg::depth_t      depth2_o,
+  output hs_formats_pkg::delta_t      x_o,
+  output hs_formats_pkg::delta_t      y_o
+);
+  localparam int unsigned CoordBits = hs_formats_pkg::CoordBits;
+  localparam int unsigned DeltaBits = hs_formats_pkg::DeltaBits;
+  localparam int unsigned EdgeBits = hs_formats_pkg::EdgeBits;
+  localparam int unsigned SubpixelBits = hs_formats_pkg::SubpixelBits;
+  localparam int unsigned XBits = hs_formats_pkg::XBits;
+  localparam int unsigned YBits = hs_formats_pkg::YBits;
+  localparam int unsigned Centre = SubpixelBits - 1;
+
+  // Order: which vertex is first. Cross: the products of D. Send: D to hs_reciprocal. Take: the
+  // triangle to the output. Edges: the products of the edge functions.
+  typedef enum logic [2:0] {Order, Cross, Send, Take, Edges} state_e;
+  state_e state_q;
+  logic [2:0] step_q;
+  logic [1:0] first_q;
+  logic swap_q, zero_q, outside, negative, zero, take, take_empty, free;
+
+  // --- Vertices in order: the topmost first, of these the leftmost; the others clockwise ---
+  typedef struct packed {
+    hs_formats_pkg::depth_t  depth;
+    hs_formats_pkg::colour_t r;
+    hs_formats_pkg::colour_t g;
+    hs_formats_pkg::colour_t b;
+  } values_t;
+  typedef struct packed {
+    hs_formats_pkg::coord_t x;
+    hs_formats_pkg::coord_t y;
+    values_t                values;
+  } vertex_t;
+  vertex_t in0, in1, in2, v0, v1, v2;
+  logic [2*CoordBits-1:0] key0, key1, key2;
+  hs_formats_pkg::delta_t dx1, dy1, dx2, dy2;
+
+  assign in0 = {triangle_i.x0, triangle_i.y0, triangle_i.depth0,
+                triangle_i.r0, triangle_i.g0, triangle_i.b0};
+  assign in1 = {triangle_i.x1, triangle_i.y1, triangle_i.depth1,
+                triangle_i.r1, triangle_i.g1, triangle_i.b1};
+  assign in2 = {triangle_i.x2, triangle_i.y2, triangle_i.depth2,
+                triangle_i.r2, triangle_i.g2, triangle_i.b2};
+
+  // y before x, as one number: with the sign turned around, positions count from 0.
+  assign key0 = {!in0.y[CoordBits-1], in0.y[CoordBits-2:0],
+                 !in0.x[CoordBits-1], in0.x[CoordBits-2:0]};
+  assign key1 = {!in1.y[CoordBits-1], in1.y[CoordBits-2:0],
+                 !in1.x[CoordBits-1], in1.x[CoordBits-2:0]};
+  assign key2 = {!in2.y[CoordBits-1], in2.y[CoordBits-2:0],
+                 !in2.x[CoordBits-1], in2.x[CoordBits-2:0]};
+
+  always_comb begin
+    unique case ({swap_q, first_q})
+      3'b001:  {v0, v1, v2} = {in1, in2, in0};
+      3'b010:  {v0, v1, v2} = {in2, in0, in1};
+      3'b100:  {v0, v1, v2} = {in0, in2, in1};
+      3'b101:  {v0, v1, v2} = {in1, in0, in2};
+      3'b110:  {v0, v1, v2} = {in2, in1, in0};
+      default: {v0, v1, v2} = {in0, in1, in2};
+    endcase
+  end
+
+  assign dx1 = DeltaBits'(v1.x) - DeltaBits'(v0.x);
+  assign dy1 = DeltaBits'(v1.y) - DeltaBits'(v0.y);
+  assign dx2 = DeltaBits'(v2.x) - DeltaBits'(v0.x);
+  assign dy2 = DeltaBits'(v2.y) - DeltaBits'(v0.y);
+
+  hs_formats_pkg::x_t x_first, x_last, x_start, x_first_q, x_last_q, x_start_q;
+  hs_formats_pkg::y_t y_first, y_last, y_first_q, y_last_q;
+
+  hs_box_setup u_box_setup (
+    .clk_i         (clk_i),
+    .frame_width_i (frame_width_i),
+    .frame_height_i(frame_height_i),
+    .x0_i          (v0.x),
+    .y0_i          (v0.y),
+    .x1_i          (v1.x),
+    .y1_i          (v1.y),
+    .x2_i          (v2.x),
+    .y2_i          (v2.y),
+    .outside_o     (outside),
+    .x_first_o     (x_first),
+    .x_last_o      (x_last),
+    .x_start_o     (x_start),
+    .y_first_o     (y_first),
+    .y_last_o      (y_last)
+  );
+
+  // --- Control ---
+  logic valid_q, empty_q, done_q;
+
+  assign free = !valid_q || (edge_valid_o && edge_ready_i);
+  assign take_empty = state_q == Cross || zero_q;
+  assign take = free && (state_q == Take || (state_q == Cross && step_q == 3'd1 && outside));
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      state_q <= Order;
+      step_q <= 3'd0;
+      first_q <= 2'd0;
+      swap_q <= 1'b0;
+      zero_q <= 1'b0;
+    end else begin
+      step_q <= step_q + 3'd1;
+      unique case (state_q)
+        Order: begin
+          if (triangle_valid_i) state_q <= Cross;
+          step_q <= 3'd0;
+          if (key2 < key0 && key2 < key1) first_q <= 2'd2;
+          else if (key1 < key0) first_q <= 2'd1;
+          else first_q <= 2'd0;
+          swap_q <= 1'b0;
+          zero_q <= 1'b0;
+        end
+        Cross: begin
+          // The products of −D follow those of D at once, and are dropped if they are not needed.
+          if (step_q == 3'd1 && outside) begin
+            step_q <= step_q;
+            if (take) state_q <= Order;
+          end
+          if (step_q == 3'd4) begin
+            swap_q <= negative;
+            zero_q <= zero;
+            if (!negative) state_q <= zero ? Take : Send;
+          end
+          if (step_q == 3'd5) state_q <= Send;
+        end
+        Send: if (area_ready_i) state_q <= Take;
+        Take: begin
+          step_q <= 3'd0;
+          if (take) state_q <= zero_q ? Order : Edges;
+        end
+        default: if (step_q == 3'd5) state_q <= Order;
+      endcase
+    end
+  end
+
+  assign triangle_ready_o = take;
+  assign area_valid_o = state_q == Send;
+
+  // --- Products ---
+  logic edges, second, inclusive;
+  hs_formats_pkg::delta_t dx1_q, dy1_q, dx2_q, dy2_q, dx21, dy12, e_dx, e_dy, wide, narrow;
+  logic signed [EdgeBits-1:0] sum;
+  logic [DeltaBits-2:0] unused_low;
+
+  assign edges = state_q == Edges;
+  assign second = step_q[0];
+  assign dx21 = dx2_q - dx1_q;
+  assign dy12 = dy1_q - dy2_q;
+
+  always_comb begin
+    // Edge 1 first: its sum starts with D, which the multiplier still holds.
+    unique case (step_q[2:1])
+      2'd0: begin
+        e_dx = dy12;
+        e_dy = dx21;
+      end
+      2'd1: begin
+        e_dx = -dy1_q;
+        e_dy = dx1_q;
+      end
+      default: begin
+        e_dx = dy2_q;
+        e_dy = -dx2_q;
+      end
+    endcase
+    if (edges) begin
+      wide = second ? e_dx : e_dy;
+      narrow = second ? x_o : y_o;
+    end else begin
+      wide = step_q[0] == step_q[1] ? dx1 : dy1;
+      narrow = step_q[0] == step_q[1] ? dy2 : dx2;
+    end
+  end
+
+  // The edge vector is (e_dy, −e_dx), and not zero.
+  assign inclusive = !e_dx[DeltaBits-1] && (e_dx != '0 || !e_dy[DeltaBits-1]);
+  assign negative = sum[EdgeBits-1];
+  assign zero = sum == '0;
+
+  hs_multiply_add #(
+    .WideBits  (DeltaBits),
+    .NarrowBits(DeltaBits),
+    .SumBits   (EdgeBits)
+  ) u_multiply_add (
+    .clk_i     (clk_i),
+    .rst_ni    (rst_ni),
+    .enable_i  (1'b1),
+    .flush_i   (state_q == Cross && step_q == 3'd4 && !negative),
+    .valid_i   (edges || (state_q == Cross && !step_q[2])),
+    .keep_i    (second || (edges && step_q == 3'd0)),
+    .shift_i   (1'b0),
+    .subtract_i(second || edges),
+    .borrow_i  (second && edges && !inclusive),
+    .wide_i    (wide),
+    .narrow_i  (narrow),
+    .sum_o     (sum),
+    .low_o     (unused_low)
+  );
+
+  assign area_o = sum[EdgeBits-2:0];
+
+  // --- Output ---
+  logic [2:0] ends, ends_q, ends_q2, ends_q3;  // Edge 1, 0, 2: as in hs_plane_setup
+  hs_formats_pkg::edge_step_t e0_q, e1_q, e2_q;
+  hs_formats_pkg::coord_t x0_q, y0_q;
+  values_t v0_q, v1_q, v2_q;
+  logic last_q;
+  hs_formats_pkg::index_t index_q;
+
+  always_comb begin
+    ends = '0;
+    if (edges && second) ends[step_q[2:1]] = 1'b1;
+  end
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      valid_q <= 1'b0;
+      done_q <= 1'b0;
+      ends_q <= '0;
+      ends_q2 <= '0;
+      ends_q3 <= '0;
+    end else begin
+      if (free) valid_q <= take;
+      if (take) done_q <= take_empty;
+      else if (ends_q3[2]) done_q <= 1'b1;
+      ends_q <= ends;
+      ends_q2 <= ends_q;
+      ends_q3 <= ends_q2;
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (take) begin
+      empty_q <= take_empty;
+      last_q <= triangle_i.last;
+      index_q <= triangle_i.index;
+      x0_q <= v0.x;
+      y0_q <= v0.y;
+      v0_q <= v0.values;
+      v1_q <= v1.values;
+      v2_q <= v2.values;
+      dx1_q <= dx1;
+      dy1_q <= dy1;
+      dx2_q <= dx2;
+      dy2_q <= dy2;
+      x_first_q <= x_first;
+      x_last_q <= x_last;
+      x_start_q <= x_start;
+      y_first_q <= y_first;
+      y_last_q <= y_last;
+    end
+    if (ends_q3[0]) e1_q <= sum[EdgeBits-1:SubpixelBits];
+    if (ends_q3[1]) e0_q <= sum[EdgeBits-1:SubpixelBits];
+    if (ends_q3[2]) e2_q <= sum[EdgeBits-1:SubpixelBits];
+  end
+
+  // The start is the centre of the first pixel of its stamp.
+  assign x_o = DeltaBits'(x0_q)
+               - $signed(DeltaBits'({x_start_q & ~XBits'(LanesX - 1), 1'b1, {Centre{1'b0}}}));
+  assign y_o = DeltaBits'(y0_q)
+               - $signed(DeltaBits'({y_first_q & ~YBits'(LanesY - 1), 1'b1, {Centre{1'b0}}}));
+  assign edge_valid_o = valid_q && done_q;
+  assign depth0_o = v0_q.depth;
+  assign depth1_o = v1_q.depth;
+  assign depth2_o = v2_q.depth;
+
+  always_comb begin
+    setup_o = '0;
+    setup_o.last = last_q;
+    setup_o.empty = empty_q;
+    setup_o.index = index_q;
+    setup_o.x_min = x_first_q >> $clog2(LanesX);
+    setup_o.x_max = x_last_q >> $clog2(LanesX);
+    setup_o.x_start = x_start_q >> $clog2(LanesX);
+    setup_o.y_min = y_first_q >> $clog2(LanesY);
+    setup_o.y_max = y_last_q >> $clog2(LanesY);
+    setup_o.e0 = e0_q;
+    setup_o.e1 = e1_q;
+    setup_o.e2 = e2_q;
+    setup_o.e0_dx = -dy1_q;
+    setup_o.e1_dx = dy12;
+    setup_o.e2_dx = dy2_q;
+    setup_o.e0_dy = dx1_q;
+    setup_o.e1_dy = dx21;
+    setup_o.e2_dy = -dx2_q;
+
+    attributes_o = '0;
+    attributes_o.last = last_q;
+    attributes_o.empty = empty_q;
+    attributes_o.index = index_q;
+    attributes_o.x = x0_q;
+    attributes_o.y = y0_q;
+    attributes_o.dx1 = dx1_q;
+    attributes_o.dy1 = dy1_q;
+    attributes_o.dx2 = dx2_q;
+    attributes_o.dy2 = dy2_q;
+    attributes_o.r0 = v0_q.r;
+    attributes_o.r1 = v1_q.r;
+    attributes_o.r2 = v2_q.r;
+    attributes_o.g0 = v0_q.g;
+    attributes_o.g1 = v1_q.g;
+    attributes_o.g2 = v2_q.g;
+    attributes_o.b0 = v0_q.b;
+    attributes_o.b1 = v1_q.b;
+    attributes_o.b2 = v2_q.b;
+  end
+endmodule
