@@ -15,7 +15,8 @@ std::size_t Result::mismatches() const {
   return sum;
 }
 
-Bench::Bench(Model* model, const Vectors* vectors, const Options* options, std::string prefix, const std::string& clock)
+Bench::Bench(Model* model, const Vectors* vectors, const Options* options, std::string prefix,
+             const std::string& clock)
     : model_(model),
       vectors_(vectors),
       options_(options),
@@ -55,7 +56,8 @@ void Bench::reset() {
 void Bench::set_frame(const Frame& frame) {
   model_->set("frame_width_i", frame.width);
   model_->set("frame_height_i", frame.height);
-  model_->set("background_i", std::uint64_t(frame.background[0]) << 16 | frame.background[1] << 8 | frame.background[2]);
+  const std::uint32_t* const rgb = frame.background;
+  model_->set("background_i", rgb[0] << 16 | rgb[1] << 8 | rgb[2]);
 }
 
 bool Bench::step() {

@@ -12,7 +12,8 @@ namespace halfspace::tb {
 namespace {
 
 void check_model(const Model& model, const Vectors& vectors) {
-  if (model.config() == vectors.config && model.lanes_x() == vectors.lanes_x && model.lanes_y() == vectors.lanes_y) return;
+  const bool same_lanes = model.lanes_x() == vectors.lanes_x && model.lanes_y() == vectors.lanes_y;
+  if (same_lanes && model.config() == vectors.config) return;
   throw Error(vectors.directory + "/manifest.json: the set is for " + vectors.config + ", " +
               std::to_string(vectors.lanes_x) + "x" + std::to_string(vectors.lanes_y) + " lanes, this model is " +
               model.title() + "; take the program tb_…_" + vectors.config + "_" + std::to_string(vectors.lanes()) +

@@ -70,7 +70,8 @@ Result run_pipeline(Model* model, const Vectors& vectors, const Options& options
     if (stream.name == "scan") scan = receivers.back().second;
   }
   if (triangles == nullptr || pixel == nullptr || scan == nullptr) {
-    throw Error(vectors.directory + "/manifest.json: lacks one of the streams triangle, scan and pixel; make the set again");
+    throw Error(vectors.directory +
+                "/manifest.json: lacks one of the streams triangle, scan and pixel; make the set again");
   }
 
   const auto start = std::chrono::steady_clock::now();

@@ -12,8 +12,8 @@ namespace {
 void print_table(const Result& result) {
   std::printf("%-12s %-32s %12s %12s\n", "stream", "from -> to", "words", "mismatches");
   for (const StreamResult& stream : result.streams) {
-    std::printf("%-12s %-32s %12zu %12zu\n", stream.name.c_str(), (stream.from + " -> " + stream.to).c_str(), stream.words,
-                stream.mismatches);
+    const std::string ends = stream.from + " -> " + stream.to;
+    std::printf("%-12s %-32s %12zu %12zu\n", stream.name.c_str(), ends.c_str(), stream.words, stream.mismatches);
   }
 }
 
@@ -58,7 +58,8 @@ void print_result(const Vectors& vectors, const Result& result) {
   if (pipeline) print_bound(result);
   std::printf("%s %s %s: %zu words on %zu streams compared, %zu mismatches, %llu cycles\n",
               pipeline ? "cosim" : ("bench " + result.unit).c_str(), vectors.scene.c_str(), vectors.config.c_str(),
-              result.words(), result.streams.size(), result.mismatches(), static_cast<unsigned long long>(result.cycles));
+              result.words(), result.streams.size(), result.mismatches(),
+              static_cast<unsigned long long>(result.cycles));
 }
 
 std::string json_report(const Vectors& vectors, const Options& options, const std::vector<Result>& results) {

@@ -10,6 +10,10 @@ namespace halfspace::tb {
 namespace {
 
 constexpr int kPause = 64;  // cycles after a frame in which a surplus word shows
+// A pass that clears the whole buffer sends nothing for as many cycles as the largest frame has stamps.
+constexpr std::uint64_t kClearPatience = 4'000'000;
+constexpr const char* kSecondScan = " (second scan: the first one has to leave the I-buffer cleared)";
+constexpr const char* kScanAfterClear = " (scan after a token with start_clear_i)";
 
 struct Unit {
   const char* name;
@@ -39,7 +43,8 @@ const Unit& find_unit(const std::string& name) {
 
 const Stream& need_stream(const Vectors& vectors, const std::string& name) {
   if (const Stream* const stream = vectors.find(name)) return *stream;
-  throw Error(vectors.directory + "/manifest.json: has no stream " + name + ", which the bench needs; make the set again");
+  throw Error(vectors.directory + "/manifest.json: has no stream " + name +
+              ", which the bench needs; make the set again");
 }
 
 Segment segment_of(const Stream& stream, std::size_t frame, const std::string& note = "") {
@@ -103,15 +108,15 @@ class UnitBench {
     for (std::size_t n = 0; n < scan.words.size(); ++n) {
       std::uint32_t* const word = cleared_.words.append();
       std::memcpy(word, scan.words[n], scan.words.parts() * 4);
-      for (int bit = index.lsb; bit < index.lsb + index.width * index.count; ++bit) word[bit / 32] &= ~(1u << (bit % 32));
+      const int end = index.lsb + index.width * index.count;
+      for (int bit = index.lsb; bit < end; ++bit) word[bit / 32] &= ~(1u << (bit % 32));
     }
     tokens_.name = "start";
     tokens_.words = Words(1);
     tokens_.words.append();
     *tokens_.words.append() = 1;
-    const std::string prefix = bench_.prefix();
-    const Wires wires{&bench_.model().need(prefix + "start_clear_i", 1), &bench_.model().need(prefix + "start_valid_i", 1),
-                      &bench_.model().need(prefix + "start_ready_o", 1)};
+    const auto port = [this](const char* name) { return &bench_.model().need(bench_.prefix() + name, 1); };
+    const Wires wires{port("start_clear_i"), port("start_valid_i"), port("start_ready_o")};
     Sender& start = bench_.add_sender(wires, "start");
 
     clear();
@@ -123,20 +128,16 @@ class UnitBench {
       receivers_[0]->expect(segment_of(scan, frame));
       if (!finish_frame()) return;
       start.send({&tokens_, 0, 1, frame, ""});
-      receivers_[0]->expect(segment_of(cleared_, frame, " (second scan: the first one has to leave the I-buffer cleared)"));
+      receivers_[0]->expect(segment_of(cleared_, frame, kSecondScan));
       if (!finish_frame()) return;
-      if (tried_clear || unit_stream_empty("update", frame)) continue;
+      if (tried_clear || need_stream(vectors_, "update").frame_words[frame] == 0) continue;
       tried_clear = true;
       if (!preload(frame)) return;
       start.send({&tokens_, 1, 2, frame, ""});
       start.send({&tokens_, 0, 1, frame, ""});
-      receivers_[0]->expect(segment_of(cleared_, frame, " (scan after a token with start_clear_i)"));
-      if (!finish_frame()) return;
+      receivers_[0]->expect(segment_of(cleared_, frame, kScanAfterClear));
+      if (!finish_frame(kClearPatience)) return;
     }
-  }
-
-  bool unit_stream_empty(const char* name, std::size_t frame) const {
-    return need_stream(vectors_, name).frame_words[frame] == 0;
   }
 
   // All of the bench's I-buffer to 0, in one cycle.
@@ -156,9 +157,9 @@ class UnitBench {
     return loaded;
   }
 
-  bool finish_frame() {
+  bool finish_frame(std::uint64_t patience = 0) {
     const std::uint64_t before = bench_.cycle();
-    const bool finished = bench_.run([this] { return bench_.all_done(); }, options_.hang);
+    const bool finished = bench_.run([this] { return bench_.all_done(); }, std::max(patience, options_.hang));
     cycles_ += bench_.cycle() - before;
     bench_.idle(kPause);
     return finished;

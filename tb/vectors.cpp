@@ -140,7 +140,8 @@ const Field* Stream::find(const std::string& field) const {
 
 const Field& Stream::need(const std::string& field, const char* purpose) const {
   if (const Field* found = find(field)) return *found;
-  throw Error("manifest.json: stream " + name + " has no field \"" + field + "\", which " + purpose + " needs" + kRemedy);
+  throw Error("manifest.json: stream " + name + " has no field \"" + field + "\", which " + purpose + " needs" +
+              kRemedy);
 }
 
 const Stream* Vectors::find(const std::string& name) const {

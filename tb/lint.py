@@ -1,0 +1,74 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Verilator's lint with all warnings over every unit of the RTL, in every configuration.
+
+A unit is a module that docs/architecture.md lists; the modules below it are seen through it, and a file that no unit
+reaches is a fault. tb/lint.vlt holds the waivers. Ends with a count: silence would prove nothing.
+"""
+
+import argparse
+import pathlib
+import re
+import subprocess
+import sys
+
+TOPS = ["hs_triangle_setup", "hs_shade_setup", "hs_raster_pineda", "hs_ztest_index", "hs_scan_index",
+        "hs_shade_gouraud", "hs_pipeline"]
+CONFIGS = ["low", "middle", "high"]
+STAMPS = [(1, 1), (2, 2), (4, 4)]
+
+
+def lint(args, root, config, top, lanes):
+    """What Verilator says, or '' if nothing; and the files it read."""
+    text = (root / f"{top}.sv").read_text()
+    command = [args.verilator, "--lint-only", "-Wall", "--top-module", top, str(pathlib.Path(__file__).with_name("lint.vlt")),
+               str(root / config / "hs_formats_pkg.sv"), str(root / f"{top}.sv"), "-y", str(root)]
+    if re.search(r"\bparameter\b[^,;)]*\bLanesX\b", text):
+        command += [f"-GLanesX={lanes[0]}", f"-GLanesY={lanes[1]}"]
+    result = subprocess.run(command, capture_output=True, text=True)
+    output = result.stdout + result.stderr
+    return output if result.returncode or output.strip() else ""
+
+
+def reached(root, top):
+    """The stems of the files below `top`, itself included."""
+    found, todo = set(), [top]
+    while todo:
+        stem = todo.pop()
+        path = root / f"{stem}.sv"
+        if stem in found or not path.exists():
+            continue
+        found.add(stem)
+        todo += re.findall(r"^\s*(hs_\w+)\s+(?:#\s*\(|u_\w+)", path.read_text(), re.MULTILINE)
+    return found
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--verilator", default="verilator", help="the program (default: %(default)s)")
+    parser.add_argument("--rtl", type=pathlib.Path, default=pathlib.Path(__file__).resolve().parent.parent / "rtl")
+    args = parser.parse_args()
+    root = args.rtl
+    faults = runs = 0
+    for top in TOPS:
+        if not (root / f"{top}.sv").exists():
+            print(f"lint: {root}/{top}.sv is missing")
+            faults += 1
+            continue
+        for config in CONFIGS:
+            for lanes in STAMPS:
+                runs += 1
+                if output := lint(args, root, config, top, lanes):
+                    print(f"lint: {top}, {config}, {lanes[0]}x{lanes[1]}:\n{output}")
+                    faults += 1
+    seen = set().union(*(reached(root, top) for top in TOPS))
+    for path in sorted(root.glob("hs_*.sv")):
+        if path.stem not in seen:
+            print(f"lint: no unit uses {path}: remove it, or add its unit to TOPS in tb/lint.py")
+            faults += 1
+    print(f"lint: {runs} runs, {len(seen)} files, {faults} faults")
+    return 1 if faults or not runs else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
