@@ -6,8 +6,8 @@
 // asynchronously (LUTRAM).
 // Illegal: Depth below 2 (a queue of one word would halve the rate).
 module hs_fifo #(
-  parameter int unsigned Width,
-  parameter int unsigned Depth
+  parameter int unsigned Width = 32,
+  parameter int unsigned Depth = 16
 ) (
   input  logic             clk_i,
   input  logic             rst_ni,

@@ -4,8 +4,8 @@
 // Each user sees one RAM with a read latency of one cycle whose word stays until its next read.
 // Illegal: both users in the same bank.
 module hs_index_buffer #(
-  parameter int unsigned Lanes,
-  parameter int unsigned Depth,
+  parameter int unsigned Lanes = 4,
+  parameter int unsigned Depth = 1024,
   localparam int unsigned IndexBits = hs_formats_pkg::IndexBits,
   localparam int unsigned AddressBits = $clog2(Depth)
 ) (

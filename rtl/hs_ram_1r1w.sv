@@ -5,8 +5,8 @@
 // written gives the old one. The content is undefined until written: there is no reset.
 // Illegal: a Width that is no multiple of Lanes; addresses of Depth and above.
 module hs_ram_1r1w #(
-  parameter int unsigned Width,
-  parameter int unsigned Depth,
+  parameter int unsigned Width = 32,
+  parameter int unsigned Depth = 1024,
   parameter int unsigned Lanes = 1,
   localparam int unsigned AddressBits = $clog2(Depth)
 ) (

@@ -4,8 +4,8 @@
 // The frame size is taken on load_i; `inside_o` follows x_i, y_i in the same cycle.
 // Limits: the stamp holds a pixel of the frame, so only the last column and row of stamps are cut.
 module hs_raster_clip #(
-  parameter int unsigned LanesX,
-  parameter int unsigned LanesY,
+  parameter int unsigned LanesX = 2,
+  parameter int unsigned LanesY = 2,
   localparam int unsigned Lanes = LanesX * LanesY
 ) (
   input  logic               clk_i,

@@ -3,8 +3,8 @@
 //
 // Load takes the setup; the depths are there one cycle after a move. Modulo 2^DepthPlaneBits.
 module hs_raster_depth #(
-  parameter int unsigned LanesX,
-  parameter int unsigned LanesY,
+  parameter int unsigned LanesX = 2,
+  parameter int unsigned LanesY = 2,
   localparam int unsigned Lanes = LanesX * LanesY,
   localparam int unsigned DepthBits = hs_formats_pkg::DepthBits
 ) (

@@ -5,8 +5,8 @@
 // that is >= 0, so a step and the test after it are one addition. Load takes the setup; all outputs
 // speak of the stamp where the walk stands, one cycle after a move.
 module hs_raster_edge #(
-  parameter int unsigned LanesX,
-  parameter int unsigned LanesY,
+  parameter int unsigned LanesX = 2,
+  parameter int unsigned LanesY = 2,
   localparam int unsigned Lanes = LanesX * LanesY
 ) (
   input  logic                       clk_i,

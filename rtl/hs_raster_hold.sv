@@ -6,8 +6,8 @@
 // Stall: ready_o falls when a stamp is held and the one before it is not taken.
 // Illegal: covered_i or finish_i without ready_o.
 module hs_raster_hold #(
-  parameter int unsigned LanesX,
-  parameter int unsigned LanesY,
+  parameter int unsigned LanesX = 2,
+  parameter int unsigned LanesY = 2,
   localparam int unsigned Lanes = LanesX * LanesY,
   localparam int unsigned XBits = hs_formats_pkg::XBits,
   localparam int unsigned YBits = hs_formats_pkg::YBits,

@@ -9,8 +9,8 @@
 // Limits: the frame registers are read when a setup is taken. A setup that is not empty has
 // x_min <= x_start <= x_max and y_min <= y_max inside the frame.
 module hs_raster_pineda #(
-  parameter int unsigned LanesX,
-  parameter int unsigned LanesY,
+  parameter int unsigned LanesX = 2,
+  parameter int unsigned LanesY = 2,
   localparam int unsigned Lanes = LanesX * LanesY,
   localparam int unsigned XBits = hs_formats_pkg::XBits,
   localparam int unsigned YBits = hs_formats_pkg::YBits,

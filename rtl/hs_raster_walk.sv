@@ -6,7 +6,7 @@
 // or 0 to stay), in one cycle. Back and Resume go to the neighbours that were kept before. All
 // values are modulo 2^Width.
 module hs_raster_walk #(
-  parameter int unsigned Width
+  parameter int unsigned Width = 32
 ) (
   input  logic             clk_i,
 

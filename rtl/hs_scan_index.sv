@@ -10,8 +10,8 @@
 // Buffer: a read takes one cycle, its word stays until the next read, and a read of the word that
 // is being written gives the old one.
 module hs_scan_index #(
-  parameter int unsigned LanesX,
-  parameter int unsigned LanesY,
+  parameter int unsigned LanesX = 2,
+  parameter int unsigned LanesY = 2,
   localparam int unsigned Lanes = LanesX * LanesY,
   localparam int unsigned XBits = hs_formats_pkg::XBits,
   localparam int unsigned YBits = hs_formats_pkg::YBits,

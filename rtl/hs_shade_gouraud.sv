@@ -8,8 +8,8 @@
 // TdbS: entry index − 1, bits as in planes_t from r on; a read takes one cycle, its word stays
 // until the next read. Two banks, used in turn by the frames, the first one by the first frame.
 module hs_shade_gouraud #(
-  parameter int unsigned LanesX,
-  parameter int unsigned LanesY,
+  parameter int unsigned LanesX = 2,
+  parameter int unsigned LanesY = 2,
   localparam int unsigned Lanes = LanesX * LanesY,
   localparam int unsigned XBits = hs_formats_pkg::XBits,
   localparam int unsigned YBits = hs_formats_pkg::YBits,

@@ -4,8 +4,8 @@
 //
 // Interval 1, latency 5 cycles, of those in which en_i is 1. Two multipliers.
 module hs_shade_plane #(
-  parameter int unsigned LanesX,
-  parameter int unsigned LanesY,
+  parameter int unsigned LanesX = 2,
+  parameter int unsigned LanesY = 2,
   localparam int unsigned Lanes = LanesX * LanesY,
   localparam int unsigned ColourBits = hs_formats_pkg::ColourBits
 ) (

@@ -11,8 +11,8 @@
 // first one by the first frame after reset; a bank is all 0 when its frame begins.
 // Illegal: index 0 with a covered pixel.
 module hs_ztest_index #(
-  parameter int unsigned LanesX,
-  parameter int unsigned LanesY,
+  parameter int unsigned LanesX = 2,
+  parameter int unsigned LanesY = 2,
   localparam int unsigned Lanes = LanesX * LanesY,
   localparam int unsigned XBits = hs_formats_pkg::XBits,
   localparam int unsigned YBits = hs_formats_pkg::YBits,
