@@ -47,6 +47,8 @@ module hs_edge_setup #(
   localparam int unsigned CoordBits = hs_formats_pkg::CoordBits;
   localparam int unsigned DeltaBits = hs_formats_pkg::DeltaBits;
   localparam int unsigned EdgeBits = hs_formats_pkg::EdgeBits;
+  localparam int unsigned DepthBits = hs_formats_pkg::DepthBits;
+  localparam int unsigned ColourBits = hs_formats_pkg::ColourBits;
   localparam int unsigned SubpixelBits = hs_formats_pkg::SubpixelBits;
   localparam int unsigned XBits = hs_formats_pkg::XBits;
   localparam int unsigned YBits = hs_formats_pkg::YBits;
@@ -62,15 +64,15 @@ module hs_edge_setup #(
 
   // --- Vertices in order: the topmost first, of these the leftmost; the others clockwise ---
   typedef struct packed {
-    hs_formats_pkg::depth_t  depth;
-    hs_formats_pkg::colour_t r;
-    hs_formats_pkg::colour_t g;
-    hs_formats_pkg::colour_t b;
+    logic [DepthBits-1:0]  depth;
+    logic [ColourBits-1:0] r;
+    logic [ColourBits-1:0] g;
+    logic [ColourBits-1:0] b;
   } values_t;
   typedef struct packed {
-    hs_formats_pkg::coord_t x;
-    hs_formats_pkg::coord_t y;
-    values_t                values;
+    logic signed [CoordBits-1:0] x;
+    logic signed [CoordBits-1:0] y;
+    values_t                     values;
   } vertex_t;
   vertex_t in0, in1, in2, v0, v1, v2;
   logic [2*CoordBits-1:0] key0, key1, key2;
