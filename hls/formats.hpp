@@ -95,6 +95,8 @@ struct Formats {
   static constexpr int kReciprocalBits = kReciprocalFraction + 1;
   // s = floor(log2 D), 0 … 2c − 1.
   static constexpr int kShiftBits = bits_for(kAreaBits - 1);
+  // Cycles a triangle of the RTL's triangle setup: the quotient bits of the divider and one to load it.
+  static constexpr int kSetupInterval = kReciprocalFraction + 3;
   // A plane is kept modulo 2^b: at a covered pixel centre its value, less the error, lies between values of the
   // vertices, and the error is below ½ (see plane_error_ok), so the rounded value is one of 0 … 2^b − 1.
   static constexpr int kDepthPlaneBits = kDepthBits + kDepthFraction;

@@ -37,6 +37,7 @@ class KernelEngine : public Engine {
             {"ReciprocalFraction", F::kReciprocalFraction},
             {"ReciprocalBits", F::kReciprocalBits},
             {"ShiftBits", F::kShiftBits},
+            {"SetupInterval", F::kSetupInterval},
             {"DepthBits", F::kDepthBits},
             {"DepthFraction", F::kDepthFraction},
             {"DepthPlaneBits", F::kDepthPlaneBits},

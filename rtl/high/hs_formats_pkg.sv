@@ -18,6 +18,7 @@ package hs_formats_pkg;
   localparam int unsigned ReciprocalFraction = 28;
   localparam int unsigned ReciprocalBits = 29;
   localparam int unsigned ShiftBits = 6;
+  localparam int unsigned SetupInterval = 31;
   localparam int unsigned DepthBits = 24;
   localparam int unsigned DepthFraction = 15;
   localparam int unsigned DepthPlaneBits = 39;

@@ -18,6 +18,7 @@ package hs_formats_pkg;
   localparam int unsigned ReciprocalFraction = 18;
   localparam int unsigned ReciprocalBits = 19;
   localparam int unsigned ShiftBits = 5;
+  localparam int unsigned SetupInterval = 21;
   localparam int unsigned DepthBits = 16;
   localparam int unsigned DepthFraction = 13;
   localparam int unsigned DepthPlaneBits = 29;

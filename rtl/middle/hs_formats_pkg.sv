@@ -18,6 +18,7 @@ package hs_formats_pkg;
   localparam int unsigned ReciprocalFraction = 26;
   localparam int unsigned ReciprocalBits = 27;
   localparam int unsigned ShiftBits = 6;
+  localparam int unsigned SetupInterval = 29;
   localparam int unsigned DepthBits = 24;
   localparam int unsigned DepthFraction = 14;
   localparam int unsigned DepthPlaneBits = 38;
