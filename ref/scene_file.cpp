@@ -122,16 +122,20 @@ Scene read_scene_file(const std::string& path, double time_seconds) {
 
   std::vector<Mesh> meshes;
   for (unsigned i = 0; i < file.mNumMeshes; ++i) meshes.push_back(mesh_of(*file.mMeshes[i], path));
-  const Pose pose(file, time_seconds);
+  const Pose start(file, 0), pose(file, time_seconds);
   Scene scene = geometry_at(file, meshes, pose);
-  scene.framing = world_points(time_seconds == 0 ? scene : geometry_at(file, meshes, Pose(file, 0)));
+  scene.framing = world_points(time_seconds == 0 ? scene : geometry_at(file, meshes, start));
   scene.name = path;
   for (unsigned i = 0; i < file.mNumMaterials; ++i) scene.materials.push_back(material_of(*file.mMaterials[i]));
   scene.materials.emplace_back();  // light grey, for meshes without one
   for (Mesh& mesh : scene.meshes) {
     mesh.material = std::clamp(mesh.material, 0, static_cast<int>(scene.materials.size()) - 1);
   }
-  if (file.mNumCameras > 0) scene.camera = camera_of(*file.mCameras[0], pose, extension_of(path));
+  if (file.mNumCameras > 0) {
+    const std::string extension = extension_of(path);
+    const std::optional<Camera> at_start = camera_of(*file.mCameras[0], start, extension);
+    if (at_start && sees(*at_start, scene.framing)) scene.camera = camera_of(*file.mCameras[0], pose, extension);
+  }
   add_lights(file, pose, &scene);
   return scene;
 }

@@ -27,8 +27,19 @@ bool usable(const glm::dvec3& direction) {
   return std::isfinite(length) && length > 1e-9;
 }
 
-// Half of 2 tan(angle / 2), the size of the view at distance 1; 0 for an angle that is none.
-double half_size(double angle) { return angle > 0 && angle < 3.1 ? std::tan(angle / 2) : 0; }
+// Half of the size of the view at distance 1; 0 for an angle that is none. Assimp's Collada importer turns the angle of a
+// camera that has none, 45 degrees, into radians twice: 0.0137.
+double half_size(double angle) { return angle > 0.0138 && angle < 3.1 ? std::tan(angle / 2) : 0; }
+
+struct Box {
+  glm::dvec3 low, high;
+};
+
+Box box_of(const std::vector<glm::dvec3>& points) {
+  Box box{points.front(), points.front()};
+  for (const glm::dvec3& p : points) box = {glm::min(box.low, p), glm::max(box.high, p)};
+  return box;
+}
 
 double strength(const Light& light, const glm::dvec3& point) {
   double divisor = 1;
@@ -41,10 +52,9 @@ double strength(const Light& light, const glm::dvec3& point) {
 }
 
 void expose(Scene* scene) {
-  glm::dvec3 low = scene->framing.front(), high = low;
-  for (const glm::dvec3& point : scene->framing) low = glm::min(low, point), high = glm::max(high, point);
+  const Box box = box_of(scene->framing);
   double strongest = 0;
-  for (const Light& light : scene->lights) strongest = std::max(strongest, strength(light, (low + high) / 2.0));
+  for (const Light& light : scene->lights) strongest = std::max(strongest, strength(light, (box.low + box.high) / 2.0));
   if (!(strongest > 0) || !std::isfinite(strongest)) return scene->lights.clear();
   for (Light& light : scene->lights) light.colour *= std::clamp(strongest, 0.25, 1.0) / strongest;
 }
@@ -91,10 +101,25 @@ std::optional<Camera> camera_of(const aiCamera& source, const Pose& pose, const 
     camera.half_height = aspect > 0 ? camera.half_width / aspect : 0;
   }
   if (source.mClipPlaneNear > 0 && source.mClipPlaneFar > source.mClipPlaneNear) {
-    camera.near = source.mClipPlaneNear;
-    if (std::isfinite(source.mClipPlaneFar)) camera.far = source.mClipPlaneFar;
+    // The node may carry the scale of the file's unit, as Collada's root does.
+    const double scale = glm::length(camera.forward) / glm::length(to_glm(source.mLookAt));
+    camera.near = scale * source.mClipPlaneNear;
+    if (std::isfinite(source.mClipPlaneFar)) camera.far = scale * source.mClipPlaneFar;
   }
   return camera;
+}
+
+bool sees(const Camera& camera, const std::vector<glm::dvec3>& points) {
+  if (points.empty()) return false;
+  const Box box = box_of(points);
+  if (camera.position == glm::clamp(camera.position, box.low, box.high)) return true;
+  const glm::dvec3 forward = glm::normalize(camera.forward);
+  const double half_size = std::max({camera.half_width, camera.half_height, 0.3});
+  return std::any_of(points.begin(), points.end(), [&](const glm::dvec3& point) {
+    const double ahead = glm::dot(point - camera.position, forward);
+    const double aside = glm::length(point - camera.position - ahead * forward);
+    return ahead > 0 && (camera.far == 0 || ahead < camera.far) && aside < (camera.orthographic ? 1 : ahead) * half_size;
+  });
 }
 
 void add_lights(const aiScene& file, const Pose& pose, Scene* scene) {

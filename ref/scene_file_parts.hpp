@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "ref/pose.hpp"
 #include "ref/scene.hpp"
@@ -15,8 +16,12 @@ namespace halfspace::ref {
 
 Material material_of(const aiMaterial&);
 
-// None if the file's camera makes no sense. `extension` is the file's: importers differ in what they store.
+// None if the camera has no direction. `extension` is the file's: importers differ in what they store.
 std::optional<Camera> camera_of(const aiCamera&, const Pose&, const std::string& extension);
+
+// Is the camera among the points, or does it have one of them in view? The importers of some formats (3DS, ASE) turn
+// cameras the wrong way.
+bool sees(const Camera&, const std::vector<glm::dvec3>& points);
 
 // The lights, and the ambient light if the file has any. Files state intensities in units of their own (0-1, candela,
 // lux), so all are scaled together if the strongest is beyond 1/4 to 1 at the middle of scene.framing.
