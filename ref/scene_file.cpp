@@ -6,12 +6,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <assimp/DefaultLogger.hpp>
 #include <assimp/Importer.hpp>
 #include <cmath>
+#include <cstring>
 
 #include "ref/error.hpp"
 #include "ref/input_file.hpp"
 #include "ref/pose.hpp"
+#include "ref/promised_elements.hpp"
 #include "ref/scene_file_parts.hpp"
 
 namespace halfspace::ref {
@@ -21,15 +24,32 @@ constexpr unsigned kSteps = aiProcess_ValidateDataStructure | aiProcess_Triangul
                             aiProcess_GenSmoothNormals;
 constexpr float kCreaseDegrees = 60;  // edges sharper than this stay edges when normals are made
 
+// Assimp drops faces whose indices are out of range, and tells only its log.
+class DroppedFaces : public Assimp::LogStream {
+ public:
+  explicit DroppedFaces(bool* found) : found_(found) {}
+  void write(const char* message) override {
+    if (std::strstr(message, "out-of-range indices")) *found_ = true;
+  }
+
+ private:
+  bool* found_;
+};
+
 const aiScene* import(Assimp::Importer& importer, const std::string& path) {
   importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, kCreaseDegrees);
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+  bool dropped = false;
+  Assimp::DefaultLogger::create("", Assimp::Logger::NORMAL, 0);
+  Assimp::DefaultLogger::get()->attachStream(new DroppedFaces(&dropped), Assimp::Logger::Warn);  // Assimp deletes it
   const aiScene* file = importer.ReadFile(path, kSteps);
+  Assimp::DefaultLogger::kill();
   if (!file) {
     const std::string reason = one_line(importer.GetErrorString());
     throw Error(fmt::format("{}: cannot be read as a mesh ({}); check the file, or export it again", path,
                             reason.empty() ? "Assimp gives no reason" : reason));
   }
+  if (dropped) throw Error(fmt::format("{}: faces have indices out of range; export the file again", path));
   if (!file->mRootNode || file->mNumMeshes == 0) {
     throw Error(fmt::format("{}: there are no triangles in it; export a mesh of faces", path));
   }
@@ -117,6 +137,7 @@ std::vector<glm::dvec3> world_points(const Scene& scene) {
 
 Scene read_scene_file(const std::string& path, double time_seconds) {
   check_input_file(path);
+  check_promised_elements(path);
   Assimp::Importer importer;
   const aiScene& file = *import(importer, path);
 

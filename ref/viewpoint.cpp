@@ -83,12 +83,12 @@ Viewpoint viewpoint(const Scene& scene, double aspect) {
   }
 
   const Range depth = depth_range(scene, view);
-  // A little more than the geometry has, so that nothing lies on a plane; at most 1:10000 for the sake of precision.
-  double far = camera.far > 0 ? camera.far : depth.high + 0.02 * std::abs(depth.high);
+  // A little more than the geometry has, so that nothing lies on a plane; 1:10000 at most for the sake of precision,
+  // unless the file says otherwise.
+  double far = camera.far > 0 ? camera.far : 1.02 * depth.high;
   if (!(far > 0)) far = 1;
-  double near = camera.near > 0 && camera.near < far ? camera.near : 0.98 * depth.low;
-  near = std::max(near, 1e-4 * far);
-  if (near >= far) far = 2 * near;
+  const bool given = camera.near > 0 && camera.near < far;
+  const double near = given ? camera.near : std::clamp(0.98 * depth.low, 1e-4 * far, 0.5 * far);
 
   double half_width, half_height;
   half_sizes(camera, aspect, &half_width, &half_height);
