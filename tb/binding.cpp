@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Binds the class that Verilator printed to Model. Compiled once a model; ports.inc is printed by verilate.py:
-// HS_PORT(name, bits, is_input) a port.
+// HS_PORT(name, bits, is_input) a port, HS_CONSTANT(name, value) a number of the package.
 #include <verilated.h>
 
 #include "Vmodel.h"
@@ -18,7 +18,9 @@ class Binding final : public Model {
     context_.randSeed(int(seed & 0x7fffffff) | 1);
     top_ = std::make_unique<Vmodel>(&context_);
 #define HS_PORT(name, bits, is_input) add_port(#name, &top_->name, int(sizeof top_->name), bits, is_input);
+#define HS_CONSTANT(name, value) add_constant(#name, value);
 #include "ports.inc"
+#undef HS_CONSTANT
 #undef HS_PORT
   }
   ~Binding() override { top_->final(); }

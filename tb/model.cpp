@@ -30,6 +30,11 @@ void Model::add_port(const char* name, void* data, int bytes, int bits, bool inp
   ports_[name] = Port{name, data, bytes, bits, input};
 }
 
+int Model::constant(const std::string& name) const {
+  const auto found = constants_.find(name);
+  return found == constants_.end() ? 0 : found->second;
+}
+
 void Model::set(const std::string& name, std::uint64_t value) {
   const Port& port = need(name);
   std::memset(port.data, 0, std::size_t(port.bytes));

@@ -37,6 +37,8 @@ class Model {
   // The lack of it, or another width (0: any), is an Error.
   const Port& need(const std::string& name, int bits = 0) const;
   void set(const std::string& name, std::uint64_t value);
+  // A number of the package; 0 if it has none of that name.
+  int constant(const std::string& name) const;
   // "hs_units (middle, 2x2 lanes)"
   std::string title() const;
 
@@ -46,11 +48,13 @@ class Model {
 
   // Inputs start at 0.
   void add_port(const char* name, void* data, int bytes, int bits, bool input);
+  void add_constant(const char* name, int value) { constants_[name] = value; }
 
  private:
   std::string top_, config_;
   int lanes_x_, lanes_y_;
   std::unordered_map<std::string, Port> ports_;
+  std::unordered_map<std::string, int> constants_;
 };
 
 // The one model of this program. Registers and memories without a reset start at random values drawn from `seed`.

@@ -48,7 +48,7 @@ Options parse_options(int argc, char** argv, bool units) {
                    "of a frame)")
         ->check(CLI::Range(1, 1000000));
     app.add_option("--setup-interval", options.setup_interval,
-                   "Cycles that triangle_setup takes for a triangle, for the bound")
+                   "Cycles that triangle_setup takes for a triangle, for the bound (default: SetupInterval of the package)")
         ->check(CLI::Range(1, 1000000));
     app.add_option("--dump", options.dump, "Write the last frame that the RTL drew: rgba8, row 0 on top");
     app.add_option("--dump-index", options.dump_index, "Write its index buffer: u32, little endian, row 0 on top");

@@ -17,7 +17,7 @@ struct Options {
   std::string json;
   // hs_pipeline only:
   int frames = 2;              // times that the last frame is drawn
-  int setup_interval = 0;      // cycles a triangle; 0: not known
+  int setup_interval = 0;      // cycles a triangle; 0: that of the package
   std::string dump, dump_index;
 };
 

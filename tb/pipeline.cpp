@@ -105,7 +105,8 @@ Result run_pipeline(Model* model, const Vectors& vectors, const Options& options
   result.unit = "pipeline";
   bench.finish(&result);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  result.bound = bound_of(vectors, options.setup_interval);
+  const int setup_interval = options.setup_interval ? options.setup_interval : model->constant("SetupInterval");
+  result.bound = bound_of(vectors, setup_interval);
   const std::vector<std::uint64_t>& ends = pixel->end_cycles();
   if (options.frames > 1 && ends.size() == turns.size()) {
     result.cycles = ends.back() - ends[ends.size() - 2];

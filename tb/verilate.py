@@ -4,7 +4,8 @@
 
 Verilator names its files by the hash of what is in them. This runs it with the prefix Vmodel and leaves in --out:
   Vmodel.h   the class
-  ports.inc  HS_PORT(name, bits, is_input) for every port, with the width in bits, which sizeof does not tell
+  ports.inc  HS_PORT(name, bits, is_input) for every port, with the width in bits, which sizeof does not tell, and
+             HS_CONSTANT(name, value) for every number of the package
   fast.cpp   includes what runs every cycle
   slow.cpp   includes constructors and reset
 """
@@ -15,6 +16,7 @@ import re
 import subprocess
 import sys
 
+CONSTANT = re.compile(r"^\s*localparam\s+int(?:\s+unsigned)?\s+(\w+)\s*=\s*(\d+);", re.MULTILINE)
 PORT = re.compile(r"^\s*VL_(IN|OUT)(?:8|16|64|W)?\(&?(\w+),(\d+),(\d+)")
 
 
@@ -24,13 +26,13 @@ def verilate(args):
     for old in out.glob("Vmodel*"):
         old.unlink()
     command = [args.verilator, "--cc", "--prefix", "Vmodel", "--Mdir", str(out), "--top-module", args.top,
-               f"-GLanesX={args.lanes_x}", f"-GLanesY={args.lanes_y}", *args.flag, *args.sources]
+               f"-GLanesX={args.lanes_x}", f"-GLanesY={args.lanes_y}", *args.flag, args.package, *args.sources]
     result = subprocess.run(command, capture_output=True, text=True)
     sys.stderr.write(result.stdout + result.stderr)
     return result.returncode
 
 
-def write_sources(out):
+def write_sources(out, package):
     ports = []
     for line in (out / "Vmodel.h").read_text().splitlines():
         if match := PORT.match(line):
@@ -38,7 +40,8 @@ def write_sources(out):
             ports.append(f"HS_PORT({name}, {int(msb) - int(lsb) + 1}, {int(direction == 'IN')})\n")
     if not ports:
         return f"{out}/Vmodel.h: no port found; this Verilator prints them in another way"
-    (out / "ports.inc").write_text("".join(ports))
+    constants = [f"HS_CONSTANT({name}, {value})\n" for name, value in CONSTANT.findall(package.read_text())]
+    (out / "ports.inc").write_text("".join(ports + constants))
     files = sorted(path.name for path in out.glob("Vmodel*.cpp"))
     is_slow = [name.endswith("__Slow.cpp") or name == "Vmodel__Syms.cpp" for name in files]
     for target, slow in (("fast.cpp", False), ("slow.cpp", True)):
@@ -55,11 +58,12 @@ def main():
     parser.add_argument("--lanes-y", type=int, required=True)
     parser.add_argument("--out", required=True, help="folder for the C++")
     parser.add_argument("--flag", action="append", default=[], help="a further flag of Verilator: --flag=-O3")
-    parser.add_argument("sources", nargs="+", help="SystemVerilog files, the package first")
+    parser.add_argument("--package", required=True, help="hs_formats_pkg.sv of the configuration")
+    parser.add_argument("sources", nargs="+", help="waivers and SystemVerilog files")
     args = parser.parse_args()
     if code := verilate(args):
         return code
-    if sentence := write_sources(pathlib.Path(args.out)):
+    if sentence := write_sources(pathlib.Path(args.out), pathlib.Path(args.package)):
         print(f"verilate: {sentence}", file=sys.stderr)
         return 1
     return 0

@@ -1,0 +1,168 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Tests the tester: puts one fault at a time into a copy of the RTL and demands that the benches say so.
+
+A fault passes when the bench of its unit, and no other, reports it in the words that faults.txt expects; that every
+other unit still agrees with the vectors on more than zero words; and that the program ends with a failure. A control
+run without a fault has to pass first. Judged by the text that is printed: an exit status alone also comes from a
+model that was not built or a set that is not there.
+"""
+
+import argparse
+import concurrent.futures
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import time
+
+HERE = pathlib.Path(__file__).resolve().parent
+TB = HERE.parent
+LANES_X = {1: 1, 2: 2, 4: 2, 8: 4, 16: 4}
+KEYS = ["why", "file", "find", "with", "unit", "says"]
+BENCH = re.compile(r"^bench (\w+) \S+ \w+: (\d+) words on \d+ streams compared, (\d+) mismatches, \d+ cycles$", re.MULTILINE)
+FAIL = re.compile(r"^FAIL (\w+): (.*)$", re.MULTILINE)
+
+
+class Broken(Exception):
+    """The test could not be made: a sentence."""
+
+
+def read_faults(path):
+    faults = []
+    for number, line in enumerate(path.read_text().splitlines(), 1):
+        if not line.strip() or line.startswith("#"):
+            continue
+        key, _, value = line.partition(" ")
+        if key == "fault":
+            faults.append({"name": value.strip()})
+        elif key in KEYS and faults:
+            faults[-1][key] = value.strip()
+        else:
+            raise Broken(f"{path}:{number}: '{key}' is none of fault, {', '.join(KEYS)}")
+    for fault in faults:
+        if missing := [key for key in KEYS if key not in fault]:
+            raise Broken(f"{path}: fault {fault['name']} lacks {', '.join(missing)}")
+    return faults
+
+
+def seed_fault(fault, rtl):
+    path = rtl / fault["file"]
+    text = path.read_text() if path.exists() else ""
+    if (count := text.count(fault["find"])) != 1:
+        raise Broken(f"its text stands {count} times in {fault['file']}, not once: bring faults.txt and rtl/ together")
+    path.write_text(text.replace(fault["find"], fault["with"]))
+
+
+def run(command, what):
+    result = subprocess.run([str(part) for part in command], capture_output=True, text=True)
+    if result.returncode:
+        raise Broken(f"{what} failed: {(result.stdout + result.stderr).strip()[:2000]}")
+
+
+def build_model(args, rtl, out):
+    """The units' model of this RTL: quick to build, as it runs once."""
+    lanes_x = LANES_X[args.lanes]
+    lanes_y = args.lanes // lanes_x
+    sources = [TB / "lint.vlt", *sorted(rtl.glob("hs_*.sv")), TB / "hs_units.sv", TB / "hs_bench_ram.sv"]
+    run([sys.executable, TB / "verilate.py", "--verilator", args.verilator, "--top", "hs_units", "--lanes-x", lanes_x,
+         "--lanes-y", lanes_y, "--out", out, "--package", rtl / args.config / "hs_formats_pkg.sv", "--flag=-Wno-fatal", "--flag=--x-initial", "--flag=unique",
+         "--flag=--noassert", *sources], "verilate.py")
+    root = subprocess.run([args.verilator, "--getenv", "VERILATOR_ROOT"], capture_output=True, text=True).stdout.strip()
+    # Everything in one go: the headers cost more than the model.
+    (out / "all.cpp").write_text('#include "fast.cpp"\n#include "slow.cpp"\n#include "binding.cpp"\n')
+    run([args.cxx, "-std=c++17", "-O0", "-w", f"-I{out}", f"-I{TB}", f"-I{root}/include", f"-I{root}/include/vltstd",
+         '-DHS_TOP="hs_units"', f'-DHS_CONFIG="{args.config}"', f"-DHS_LANES_X={lanes_x}", f"-DHS_LANES_Y={lanes_y}",
+         out / "all.cpp", *args.library, "-pthread", "-o", out / "bench"], args.cxx)
+    return out / "bench"
+
+
+def judge(output, status, guilty, says):
+    """What is wrong with a report, or ''. `guilty`: the units that have to fail."""
+    benches = {unit: (int(words), int(mismatches)) for unit, words, mismatches in BENCH.findall(output)}
+    reports = {}
+    for unit, text in FAIL.findall(output):
+        reports.setdefault(unit, []).append(text)
+    if len(benches) < 6:
+        return f"only {len(benches)} of 6 units reported"
+    for unit, (words, mismatches) in benches.items():
+        if unit not in guilty:
+            if words == 0 or mismatches or unit in reports:
+                return f"{unit} reports what is not its fault: {(reports.get(unit) or ['no words'])[0]}"
+        elif mismatches == 0 or unit not in reports:
+            return f"{unit} reports nothing"
+        elif not any(re.search(says, text) for text in reports[unit]):
+            return f"{unit} does not say '{says}' but: {' | '.join(reports[unit])}"
+    if missing := guilty - set(benches):
+        return f"there is no unit {', '.join(missing)}"
+    return "" if (status != 0) == bool(guilty) else f"the exit status is {status}"
+
+
+def try_fault(args, fault):
+    """(passed, text)"""
+    name = fault["name"] if fault else "control"
+    work = args.work / name
+    shutil.rmtree(work, ignore_errors=True)
+    shutil.copytree(args.rtl, work / "rtl")
+    start = time.monotonic()
+    try:
+        if fault:
+            seed_fault(fault, work / "rtl")
+        bench = build_model(args, work / "rtl", work / "model")
+        result = subprocess.run([bench, args.vectors, "--stall", "30", "--seed", "1"], capture_output=True, text=True,
+                                timeout=600)
+        output = result.stdout + result.stderr
+        (work / "report.txt").write_text(output)
+        wrong = judge(output, result.returncode, set(fault["unit"].split()) if fault else set(), fault["says"] if fault else "")
+        said = next((text for unit, text in FAIL.findall(output) if fault and unit in fault["unit"].split()), "no fault, no report")
+    except Broken as e:
+        wrong, said = str(e), ""
+    except subprocess.TimeoutExpired:
+        wrong, said = "the bench did not end", ""
+    seconds = time.monotonic() - start
+    if not wrong and not args.keep:
+        shutil.rmtree(work, ignore_errors=True)
+    where = fault["unit"] if fault else "all units"
+    text = f"{'pass' if not wrong else 'FAIL'}  {name:24} {where:27} {seconds:5.1f} s  {wrong or said}"
+    return not wrong, text
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    vectors = parser.add_mutually_exclusive_group(required=True)
+    vectors.add_argument("--vectors", type=pathlib.Path, help="a vector set of --config and --lanes")
+    vectors.add_argument("--halfspace", type=pathlib.Path, help="the program, to make the standard set with")
+    parser.add_argument("--work", type=pathlib.Path, required=True, help="folder for the copies; what failed stays there")
+    parser.add_argument("--library", type=pathlib.Path, action="append", required=True,
+                        help="the harness and Verilator's library, in this order: --library A.a --library B.a")
+    parser.add_argument("--rtl", type=pathlib.Path, default=TB.parent / "rtl")
+    parser.add_argument("--config", default="low")
+    parser.add_argument("--lanes", type=int, default=4, choices=sorted(LANES_X))
+    parser.add_argument("--jobs", type=int, default=1)
+    parser.add_argument("--only", help="regular expression of the names to try")
+    parser.add_argument("--keep", action="store_true", help="keep the copies of what passed, too")
+    parser.add_argument("--verilator", default="verilator")
+    parser.add_argument("--cxx", default="c++")
+    args = parser.parse_args()
+    try:
+        faults = read_faults(HERE / "faults.txt")
+        if args.halfspace:
+            args.vectors = args.work / "vectors"
+            run([args.halfspace, "vectors", "standard", "--config", args.config, "--lanes", args.lanes,
+                 "--out", args.vectors], "halfspace vectors")
+    except Broken as e:
+        print(f"faults: {e}", file=sys.stderr)
+        return 2
+    chosen = [None] + [fault for fault in faults if re.search(args.only or "", fault["name"])]
+    passed = 0
+    with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
+        for good, text in pool.map(lambda fault: try_fault(args, fault), chosen):
+            passed += good
+            print(text, flush=True)
+    print(f"faults: {passed} passed, {len(chosen) - passed} failed")
+    return 0 if passed == len(chosen) > 1 else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
