@@ -7,6 +7,8 @@
 namespace halfspace::ref {
 namespace {
 
+constexpr double kMostAmbient = 0.4;  // more would leave little for the other lights
+
 bool is_black(const glm::dvec3& c) { return c.r <= 0 && c.g <= 0 && c.b <= 0; }
 
 glm::dvec3 sane_colour(const glm::dvec3& c) {
@@ -53,10 +55,10 @@ double strength(const Light& light, const glm::dvec3& point) {
 
 void expose(Scene* scene) {
   const Box box = box_of(scene->framing);
-  double strongest = 0;
-  for (const Light& light : scene->lights) strongest = std::max(strongest, strength(light, (box.low + box.high) / 2.0));
-  if (!(strongest > 0) || !std::isfinite(strongest)) return scene->lights.clear();
-  for (Light& light : scene->lights) light.colour *= std::clamp(strongest, 0.25, 1.0) / strongest;
+  double total = 0;
+  for (const Light& light : scene->lights) total += strength(light, (box.low + box.high) / 2.0);
+  if (!(total > 0) || !std::isfinite(total)) return scene->lights.clear();
+  for (Light& light : scene->lights) light.colour *= std::clamp(total, 0.25, 1.0) / total;
 }
 
 }  // namespace
@@ -137,7 +139,7 @@ void add_lights(const aiScene& file, const Pose& pose, Scene* scene) {
     light.cos_outer = std::cos(source.mAngleOuterCone / 2.0);
     switch (source.mType) {
       case aiLightSource_AMBIENT:
-        ambient += sane_colour(to_glm(source.mColorAmbient)) + light.colour;
+        ambient += glm::max(sane_colour(to_glm(source.mColorAmbient)), light.colour);
         continue;
       case aiLightSource_DIRECTIONAL: light.kind = Light::Kind::kDirectional; break;
       case aiLightSource_SPOT: light.kind = Light::Kind::kSpot; break;
@@ -145,7 +147,7 @@ void add_lights(const aiScene& file, const Pose& pose, Scene* scene) {
     }
     if (!is_black(light.colour) && std::isfinite(glm::length(light.position))) scene->lights.push_back(light);
   }
-  if (!is_black(ambient)) scene->ambient = glm::min(ambient, glm::dvec3(1));
+  if (!is_black(ambient)) scene->ambient = glm::min(ambient, glm::dvec3(kMostAmbient));
   if (!scene->framing.empty()) expose(scene);
 }
 

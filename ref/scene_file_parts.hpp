@@ -24,7 +24,7 @@ std::optional<Camera> camera_of(const aiCamera&, const Pose&, const std::string&
 bool sees(const Camera&, const std::vector<glm::dvec3>& points);
 
 // The lights, and the ambient light if the file has any. Files state intensities in units of their own (0-1, candela,
-// lux), so all are scaled together if the strongest is beyond 1/4 to 1 at the middle of scene.framing.
+// lux), so all are scaled together if their sum is beyond 1/4 to 1 at the middle of scene.framing.
 void add_lights(const aiScene&, const Pose&, Scene*);
 
 }  // namespace halfspace::ref

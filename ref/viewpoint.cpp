@@ -83,12 +83,14 @@ Viewpoint viewpoint(const Scene& scene, double aspect) {
   }
 
   const Range depth = depth_range(scene, view);
-  // A little more than the geometry has, so that nothing lies on a plane; 1:10000 at most for the sake of precision,
-  // unless the file says otherwise.
-  double far = camera.far > 0 ? camera.far : 1.02 * depth.high;
-  if (!(far > 0)) far = 1;
-  const bool given = camera.near > 0 && camera.near < far;
-  const double near = given ? camera.near : std::clamp(0.98 * depth.low, 1e-4 * far, 0.5 * far);
+  // A little more than the geometry has, so that nothing lies on a plane. The planes of a file can be far off (0.05 and
+  // 1e6 for a model of 10); drawn in to the geometry they cut off the same, and leave depth its bits. Without planes the
+  // nearest is at most 1:10000.
+  double far = 1.02 * depth.high;
+  if (camera.far > 0) far = std::min(far, camera.far);
+  if (!(far > camera.near)) far = camera.near > 0 ? 2 * camera.near : 1;
+  const double least = camera.near > 0 ? camera.near : 1e-4 * far;
+  const double near = std::clamp(0.98 * depth.low, least, std::max(least, 0.98 * far));
 
   double half_width, half_height;
   half_sizes(camera, aspect, &half_width, &half_height);
