@@ -19,10 +19,11 @@ STAMPS = [(1, 1), (2, 2), (4, 4)]
 
 
 def lint(args, root, config, top, lanes):
-    """What Verilator says, or '' if nothing; and the files it read."""
+    """What Verilator says, or '' if nothing."""
     text = (root / f"{top}.sv").read_text()
-    command = [args.verilator, "--lint-only", "-Wall", "--top-module", top, str(pathlib.Path(__file__).with_name("lint.vlt")),
-               str(root / config / "hs_formats_pkg.sv"), str(root / f"{top}.sv"), "-y", str(root)]
+    command = [args.verilator, "--lint-only", "-Wall", "--top-module", top,
+               str(pathlib.Path(__file__).with_name("lint.vlt")), str(root / config / "hs_formats_pkg.sv"),
+               str(root / f"{top}.sv"), "-y", str(root)]
     if re.search(r"\bparameter\b[^,;)]*\bLanesX\b", text):
         command += [f"-GLanesX={lanes[0]}", f"-GLanesY={lanes[1]}"]
     result = subprocess.run(command, capture_output=True, text=True)

@@ -13,11 +13,20 @@ namespace {
 
 void check_model(const Model& model, const Vectors& vectors) {
   const bool same_lanes = model.lanes_x() == vectors.lanes_x && model.lanes_y() == vectors.lanes_y;
-  if (same_lanes && model.config() == vectors.config) return;
-  throw Error(vectors.directory + "/manifest.json: the set is for " + vectors.config + ", " +
-              std::to_string(vectors.lanes_x) + "x" + std::to_string(vectors.lanes_y) + " lanes, this model is " +
-              model.title() + "; take the program tb_…_" + vectors.config + "_" + std::to_string(vectors.lanes()) +
-              " or make the set with its --config and --lanes");
+  if (!same_lanes || model.config() != vectors.config) {
+    throw Error(vectors.directory + "/manifest.json: the set is for " + vectors.config + ", " +
+                std::to_string(vectors.lanes_x) + "x" + std::to_string(vectors.lanes_y) + " lanes, this model is " +
+                model.title() + "; take the program tb_…_" + vectors.config + "_" + std::to_string(vectors.lanes()) +
+                " or make the set with its --config and --lanes");
+  }
+  const std::uint32_t width = std::uint32_t(model.constant("MaxWidth"));
+  const std::uint32_t height = std::uint32_t(model.constant("MaxHeight"));
+  for (const Frame& frame : vectors.frames) {
+    if (frame.width <= width && frame.height <= height) continue;
+    throw Error(vectors.directory + "/manifest.json: a frame of " + std::to_string(frame.width) + "x" +
+                std::to_string(frame.height) + " does not fit " + model.title() + ", which draws " +
+                std::to_string(width) + "x" + std::to_string(height) + " at most; make the set with another --config");
+  }
 }
 
 // The streams named, and those that tell the triangles of these.

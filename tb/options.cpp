@@ -44,11 +44,12 @@ Options parse_options(int argc, char** argv, bool units) {
                    "all, or one of triangle_setup, shade_setup, raster_pineda, ztest_index, scan_index, shade_gouraud");
   } else {
     app.add_option("--frames", options.frames,
-                   "Draw the last frame of the set N times, back to back (default 2: the second one gives the cycles "
-                   "of a frame)")
+                   "Draw the last frame of the set N times, back to back (default 2: the second one gives the "
+                   "cycles of a frame)")
         ->check(CLI::Range(1, 1000000));
     app.add_option("--setup-interval", options.setup_interval,
-                   "Cycles that triangle_setup takes for a triangle, for the bound (default: SetupInterval of the package)")
+                   "Cycles that triangle_setup takes for a triangle, for the bound (default: SetupInterval of the "
+                   "package)")
         ->check(CLI::Range(1, 1000000));
     app.add_option("--dump", options.dump, "Write the last frame that the RTL drew: rgba8, row 0 on top");
     app.add_option("--dump-index", options.dump_index, "Write its index buffer: u32, little endian, row 0 on top");

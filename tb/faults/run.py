@@ -21,7 +21,8 @@ HERE = pathlib.Path(__file__).resolve().parent
 TB = HERE.parent
 LANES_X = {1: 1, 2: 2, 4: 2, 8: 4, 16: 4}
 KEYS = ["why", "file", "find", "with", "unit", "says"]
-BENCH = re.compile(r"^bench (\w+) \S+ \w+: (\d+) words on \d+ streams compared, (\d+) mismatches, \d+ cycles$", re.MULTILINE)
+BENCH = re.compile(r"^bench (\w+) \S+ \w+: (\d+) words on \d+ streams compared, (\d+) mismatches, \d+ cycles$",
+                   re.MULTILINE)
 FAIL = re.compile(r"^FAIL (\w+): (.*)$", re.MULTILINE)
 
 
@@ -66,9 +67,10 @@ def build_model(args, rtl, out):
     lanes_x = LANES_X[args.lanes]
     lanes_y = args.lanes // lanes_x
     sources = [TB / "lint.vlt", *sorted(rtl.glob("hs_*.sv")), TB / "hs_units.sv", TB / "hs_bench_ram.sv"]
+    flags = ["-Wno-fatal", "--noassert", "--x-initial", "unique"]
     run([sys.executable, TB / "verilate.py", "--verilator", args.verilator, "--top", "hs_units", "--lanes-x", lanes_x,
-         "--lanes-y", lanes_y, "--out", out, "--package", rtl / args.config / "hs_formats_pkg.sv", "--flag=-Wno-fatal", "--flag=--x-initial", "--flag=unique",
-         "--flag=--noassert", *sources], "verilate.py")
+         "--lanes-y", lanes_y, "--out", out, "--package", rtl / args.config / "hs_formats_pkg.sv",
+         *(f"--flag={flag}" for flag in flags), *sources], "verilate.py")
     root = subprocess.run([args.verilator, "--getenv", "VERILATOR_ROOT"], capture_output=True, text=True).stdout.strip()
     # Everything in one go: the headers cost more than the model.
     (out / "all.cpp").write_text('#include "fast.cpp"\n#include "slow.cpp"\n#include "binding.cpp"\n')
@@ -100,8 +102,9 @@ def judge(output, status, guilty, says):
 
 
 def try_fault(args, fault):
-    """(passed, text)"""
+    """Whether it passed, and a line that tells. No fault: the control run."""
     name = fault["name"] if fault else "control"
+    guilty = fault["unit"].split() if fault else []
     work = args.work / name
     shutil.rmtree(work, ignore_errors=True)
     shutil.copytree(args.rtl, work / "rtl")
@@ -114,8 +117,8 @@ def try_fault(args, fault):
                                 timeout=600)
         output = result.stdout + result.stderr
         (work / "report.txt").write_text(output)
-        wrong = judge(output, result.returncode, set(fault["unit"].split()) if fault else set(), fault["says"] if fault else "")
-        said = next((text for unit, text in FAIL.findall(output) if fault and unit in fault["unit"].split()), "no fault, no report")
+        wrong = judge(output, result.returncode, set(guilty), fault["says"] if fault else "")
+        said = next((text for unit, text in FAIL.findall(output) if unit in guilty), "no fault, no report")
     except Broken as e:
         wrong, said = str(e), ""
     except subprocess.TimeoutExpired:
@@ -124,8 +127,7 @@ def try_fault(args, fault):
     if not wrong and not args.keep:
         shutil.rmtree(work, ignore_errors=True)
     where = fault["unit"] if fault else "all units"
-    text = f"{'pass' if not wrong else 'FAIL'}  {name:24} {where:27} {seconds:5.1f} s  {wrong or said}"
-    return not wrong, text
+    return not wrong, f"{'FAIL' if wrong else 'pass'}  {name:24} {where:27} {seconds:5.1f} s  {wrong or said}"
 
 
 def main():
