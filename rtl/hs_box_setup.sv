@@ -16,6 +16,8 @@ module hs_box_setup (
   input  hs_formats_pkg::coord_t y1_i,
   input  hs_formats_pkg::coord_t x2_i,
   input  hs_formats_pkg::coord_t y2_i,
+  input  logic                   before_10_i,  // x1 < x0
+  input  logic                   before_20_i,  // x2 < x0
 
   output logic                   outside_o,
   output hs_formats_pkg::x_t     x_first_o,
@@ -32,22 +34,20 @@ module hs_box_setup (
   localparam int unsigned SumBits = CoordBits + 1;
   localparam int unsigned PixelBits = SumBits - SubpixelBits;
   localparam logic signed [SumBits-1:0] Half = SumBits'(1) << (SubpixelBits - 1);
-  localparam logic signed [SumBits-1:0] One = SumBits'(1);
+  localparam logic signed [SumBits-1:0] BelowHalf = Half - SumBits'(1);
 
-  logic before_10, before_20, before_21;
+  logic before_21;
   hs_formats_pkg::coord_t x_low, x_high, y_high;
 
-  assign before_10 = x1_i < x0_i;
-  assign before_20 = x2_i < x0_i;
   assign before_21 = x2_i < x1_i;
 
   always_comb begin
     x_low = x0_i;
-    if (before_10 && !before_21) x_low = x1_i;
-    else if (before_20) x_low = x2_i;
+    if (before_10_i && !before_21) x_low = x1_i;
+    else if (before_20_i) x_low = x2_i;
     x_high = x0_i;
-    if (!before_10 && before_21) x_high = x1_i;
-    else if (!before_20) x_high = x2_i;
+    if (!before_10_i && before_21) x_high = x1_i;
+    else if (!before_20_i) x_high = x2_i;
     y_high = y2_i < y1_i ? y1_i : y2_i;
   end
 
@@ -55,9 +55,9 @@ module hs_box_setup (
   logic signed [PixelBits-1:0] x_first, x_last, y_first, y_last, x_end, y_end;
   logic signed [PixelBits-1:0] x_first_q, x_last_q, y_first_q, y_last_q, x_top;
 
-  assign x_first = PixelBits'((SumBits'(x_low) + Half - One) >>> SubpixelBits);
+  assign x_first = PixelBits'((SumBits'(x_low) + BelowHalf) >>> SubpixelBits);
   assign x_last = PixelBits'((SumBits'(x_high) - Half) >>> SubpixelBits);
-  assign y_first = PixelBits'((SumBits'(y0_i) + Half - One) >>> SubpixelBits);
+  assign y_first = PixelBits'((SumBits'(y0_i) + BelowHalf) >>> SubpixelBits);
   assign y_last = PixelBits'((SumBits'(y_high) - Half) >>> SubpixelBits);
   assign x_end = PixelBits'(frame_width_i) - PixelBits'(1);
   assign y_end = PixelBits'(frame_height_i) - PixelBits'(1);

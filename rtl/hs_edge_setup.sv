@@ -122,6 +122,8 @@ module hs_edge_setup #(
     .y1_i          (v1.y),
     .x2_i          (v2.x),
     .y2_i          (v2.y),
+    .before_10_i   (dx1[DeltaBits-1]),
+    .before_20_i   (dx2[DeltaBits-1]),
     .outside_o     (outside),
     .x_first_o     (x_first),
     .x_last_o      (x_last),

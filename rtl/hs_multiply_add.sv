@@ -30,11 +30,13 @@ module hs_multiply_add #(
   output logic signed [SumBits-1:0]    sum_o,
   output logic [Chunk-1:0]             low_o
 );
+  localparam int unsigned Slice = 18;
+
   logic valid_q, valid_q2;
   logic [3:0] mode_q, mode_q2;
   logic signed [WideBits-1:0] wide_q;
   logic signed [NarrowBits-1:0] narrow_q;
-  logic signed [SumBits-1:0] product_q, base, sum_q;
+  logic signed [SumBits-1:0] product, product_q, base, sum_q;
   logic [Chunk-1:0] low_q;
   logic keep, shift, subtract, borrow;
 
@@ -43,6 +45,17 @@ module hs_multiply_add #(
   always_comb begin
     base = '0;
     if (keep) base = shift ? sum_q >>> Chunk : sum_q;
+  end
+
+  // The slices of an FPGA multiply 18 by 25 bits. Where neither factor fits in 18, the wide one is
+  // cut here, as a tool may cut both.
+  if (WideBits > Slice && NarrowBits > Slice) begin : gen_cut
+    logic signed [SumBits-1:0] product_low, product_high;
+    assign product_low = $signed({1'b0, wide_q[Slice-2:0]}) * narrow_q;
+    assign product_high = $signed(wide_q[WideBits-1:Slice-1]) * narrow_q;
+    assign product = product_low + (product_high <<< (Slice - 1));
+  end else begin : gen_whole
+    assign product = wide_q * narrow_q;
   end
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -61,7 +74,7 @@ module hs_multiply_add #(
       wide_q <= wide_i;
       narrow_q <= narrow_i;
       mode_q2 <= mode_q;
-      product_q <= wide_q * narrow_q;
+      product_q <= product;
       if (valid_q2 && !flush_i) begin
         // −p − b = ~p + 1 − b: one adder with a carry in.
         sum_q <= base + (subtract ? ~product_q : product_q)

@@ -31,26 +31,32 @@ module hs_reciprocal (
   localparam int unsigned Step = 4;
 
   // Normalization
-  logic area_valid_q, busy_q, done, load;
-  logic [AreaBits-1:0] area_q;
-  logic [ShiftBits-1:0] area_shift_q;
+  logic area_valid_q, busy_q, done, load, negative;
+  logic [AreaBits-1:0] area_q, shifted;
+  logic [ShiftBits-1:0] area_shift_q, places;
 
   assign load = area_valid_q && area_q[AreaBits-1] && (!busy_q || (done && reciprocal_ready_i));
   assign area_ready_o = !area_valid_q || load;
+
+  always_comb begin
+    shifted = area_q << 1;
+    places = ShiftBits'(1);
+    if (area_q[AreaBits-1-:Stride] == '0) begin
+      shifted = area_q << Stride;
+      places = ShiftBits'(Stride);
+    end else if (area_q[AreaBits-1-:Step] == '0) begin
+      shifted = area_q << Step;
+      places = ShiftBits'(Step);
+    end
+  end
 
   always_ff @(posedge clk_i) begin
     if (area_ready_o) begin
       area_q <= area_i;
       area_shift_q <= ShiftBits'(AreaBits - 1);
-    end else if (area_q[AreaBits-1-:Stride] == '0) begin
-      area_q <= area_q << Stride;
-      area_shift_q <= area_shift_q - ShiftBits'(Stride);
-    end else if (area_q[AreaBits-1-:Step] == '0) begin
-      area_q <= area_q << Step;
-      area_shift_q <= area_shift_q - ShiftBits'(Step);
     end else if (!area_q[AreaBits-1]) begin
-      area_q <= area_q << 1;
-      area_shift_q <= area_shift_q - ShiftBits'(1);
+      area_q <= shifted;
+      area_shift_q <= area_shift_q - places;
     end
   end
 
@@ -62,8 +68,10 @@ module hs_reciprocal (
   logic [ShiftBits-1:0] shift_q;
 
   assign done = quotient_q[QuotientBits];
-  assign remainder = remainder_q[AreaBits] ? (remainder_q << 1) + {1'b0, divisor_q}
-                                           : (remainder_q << 1) - {1'b0, divisor_q};
+  // Plus the divisor after a negative remainder, else minus: as one adder.
+  assign negative = remainder_q[AreaBits];
+  assign remainder = {remainder_q[AreaBits-1:0], 1'b0} + (AreaBits + 1)'(!negative)
+                     + {!negative, negative ? divisor_q : ~divisor_q};
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
