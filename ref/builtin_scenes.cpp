@@ -7,7 +7,7 @@ namespace {
 constexpr struct {
   const char* name;
   Scene (*make)();
-} kScenes[] = {{"teapot", teapot}, {"cube", cube}, {"pyramid", pyramid},      {"wheel", wheel},
+} kScenes[] = {{"teapot", teapot}, {"cube", cube},     {"pyramid", pyramid},      {"wheel", wheel},
                {"ring", ring},     {"castle", castle}, {"polyhedron", polyhedron}};
 
 }  // namespace
@@ -25,7 +25,8 @@ std::optional<Scene> builtin_scene(const std::string& name) {
     scene.name = name;
     for (const Instance& instance : scene.instances) {
       const Mesh& mesh = scene.meshes[instance.mesh];
-      for (const glm::dvec3& p : mesh.positions) scene.framing.emplace_back(instance.to_world * glm::dvec4(p, 1));
+      for (const glm::dvec3& p : mesh.positions)
+        scene.framing.emplace_back(instance.to_world * glm::dvec4(p, 1));
     }
     return scene;
   }

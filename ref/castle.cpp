@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A castle of closed solids that stand into each other: many layers of depth behind most pixels. y up, metres.
+// A castle of closed solids that stand into each other: many layers of depth behind most pixels. y up,
+// metres.
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
@@ -11,7 +12,8 @@ namespace {
 
 const glm::dvec3 kUp(0, 1, 0);
 const glm::dvec3 kStone(0.72, 0.68, 0.60), kDarkStone(0.58, 0.54, 0.50), kKeepStone(0.80, 0.72, 0.58);
-const glm::dvec3 kSlate(0.30, 0.38, 0.50), kTile(0.66, 0.30, 0.22), kPlaster(0.85, 0.80, 0.70), kShade(0.16, 0.14, 0.13);
+const glm::dvec3 kSlate(0.30, 0.38, 0.50), kTile(0.66, 0.30, 0.22), kPlaster(0.85, 0.80, 0.70),
+    kShade(0.16, 0.14, 0.13);
 const glm::dvec3 kGrass(0.36, 0.47, 0.26), kCourt(0.62, 0.56, 0.46);
 
 class Mason {
@@ -25,7 +27,8 @@ class Mason {
   }
 
   // A wall from one foot to another, with merlons along its left side.
-  void wall(const glm::dvec3& from, const glm::dvec3& to, double height, double thickness, const glm::dvec3& stone) {
+  void wall(const glm::dvec3& from, const glm::dvec3& to, double height, double thickness,
+            const glm::dvec3& stone) {
     const double length = glm::distance(from, to);
     const glm::dvec3 along = (to - from) / length, across = glm::cross(along, kUp);  // to the right
     colour(stone);
@@ -34,8 +37,8 @@ class Mason {
     const double pitch = length / merlons;
     for (int i = 0; i < merlons; ++i) {
       colour(stone);
-      builder.block(from - across * (thickness / 2) + along * ((i + 0.25) * pitch) + kUp * height, along * (pitch / 2),
-                    kUp * 0.9, across * 0.6);
+      builder.block(from - across * (thickness / 2) + along * ((i + 0.25) * pitch) + kUp * height,
+                    along * (pitch / 2), kUp * 0.9, across * 0.6);
     }
   }
 
@@ -49,14 +52,17 @@ class Mason {
     constexpr int kSides = 16, kMerlons = 8;
     const double top = radius + 0.45;
     colour(stone);
-    builder.lathe(foot, {{radius + 0.5, 0}, {radius, 2}, {radius, height - 1.2}, {top, height - 0.6}, {top, height}}, kSides);
+    builder.lathe(
+        foot, {{radius + 0.5, 0}, {radius, 2}, {radius, height - 1.2}, {top, height - 0.6}, {top, height}},
+        kSides);
     builder.disc(foot + kUp * height, top, kSides, true);
     for (int i = 0; i < kMerlons; ++i) {
       const double angle = 2 * glm::pi<double>() * (i + 0.5) / kMerlons;
       const glm::dvec3 outward(std::cos(angle), 0, std::sin(angle)), along = glm::cross(outward, kUp);
       const double width = 0.4 * top;
       colour(stone);
-      builder.block(foot + kUp * height + outward * (top - 0.6) + along * (width / 2), -along * width, kUp * 0.9, outward * 0.5);
+      builder.block(foot + kUp * height + outward * (top - 0.6) + along * (width / 2), -along * width,
+                    kUp * 0.9, outward * 0.5);
     }
   }
 
@@ -83,7 +89,8 @@ class Mason {
     builder.polygon({a, b, ridge});
     builder.polygon({b + length, a + length, ridge + length});
     builder.colour = kShade;
-    builder.box(low + glm::dvec3(size.x * 0.4, 0, size.z), low + glm::dvec3(size.x * 0.6, size.y * 0.7, size.z + 0.05));
+    builder.box(low + glm::dvec3(size.x * 0.4, 0, size.z),
+                low + glm::dvec3(size.x * 0.6, size.y * 0.7, size.z + 0.05));
   }
 
   void ground(double half, int fields) {

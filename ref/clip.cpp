@@ -6,11 +6,13 @@
 namespace halfspace::ref {
 namespace {
 
-// Always counted from the inner vertex, whichever way the edge is gone along: so neighbours agree to the last bit.
+// Always counted from the inner vertex, whichever way the edge is gone along: so neighbours agree to the last
+// bit.
 ClipVertex cross(const ClipVertex& inner, const ClipVertex& outer, const ClipPlane& plane) {
   const double in = glm::dot(plane, inner.position), out = glm::dot(plane, outer.position);
   const double t = in / (in - out);
-  return {inner.position + t * (outer.position - inner.position), inner.colour + t * (outer.colour - inner.colour)};
+  return {inner.position + t * (outer.position - inner.position),
+          inner.colour + t * (outer.colour - inner.colour)};
 }
 
 }  // namespace

@@ -16,8 +16,8 @@ struct ClipVertex {
 // Inside is dot(plane, position) >= 0.
 using ClipPlane = glm::dvec4;
 
-// The part of a convex polygon inside all planes (Sutherland and Hodgman); empty if there is none. Triangles that
-// share an edge get the same new vertices on it.
+// The part of a convex polygon inside all planes (Sutherland and Hodgman); empty if there is none. Triangles
+// that share an edge get the same new vertices on it.
 std::vector<ClipVertex> clip(std::vector<ClipVertex> polygon, const std::vector<ClipPlane>& planes);
 
 // Are all vertices outside one plane?

@@ -6,8 +6,8 @@
 
 namespace halfspace::ref {
 
-// A fault of the input, as opposed to a fault of ours. what() is one sentence that names the file, the place in it and
-// the remedy, ready to be shown to a person.
+// A fault of the input, as opposed to a fault of ours. what() is one sentence that names the file, the place
+// in it and the remedy, ready to be shown to a person.
 struct Error : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

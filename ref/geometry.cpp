@@ -17,8 +17,8 @@ namespace {
 
 // What a mesh comes to in one place: a vertex is transformed and lit once, however many triangles share it.
 struct LitMesh {
-  std::vector<glm::dvec4> positions;         // clip space
-  std::vector<glm::dvec3> front, back;       // colours of either side; back only if two-sided
+  std::vector<glm::dvec4> positions;    // clip space
+  std::vector<glm::dvec3> front, back;  // colours of either side; back only if two-sided
 };
 
 class Geometry {
@@ -39,9 +39,10 @@ class Geometry {
   TriangleList run() {
     for (const Instance& instance : scene_.instances) draw(instance);
     if (list_.triangles.empty()) {
-      throw Error(fmt::format("{}: no triangle faces the camera within the frame; turn the camera, or take it out of the file"
-                              " to have the scene framed",
-                              scene_.name));
+      throw Error(fmt::format(
+          "{}: no triangle faces the camera within the frame; turn the camera, or take it out of the file"
+          " to have the scene framed",
+          scene_.name));
     }
     return std::move(list_);
   }
@@ -51,7 +52,8 @@ class Geometry {
   // means what it should there.
   std::vector<ClipPlane> planes_around(double left, double right, double top, double bottom) const {
     const double w = view_.width / 2.0, h = view_.height / 2.0;  // pixel = (w + w x/w_clip, h - h y/w_clip)
-    return {{0, 0, 1, 0}, {0, 0, -1, 1}, {w, 0, 0, w - left}, {-w, 0, 0, right - w}, {0, -h, 0, h - top}, {0, h, 0, bottom - h}};
+    return {{0, 0, 1, 0},          {0, 0, -1, 1},       {w, 0, 0, w - left},
+            {-w, 0, 0, right - w}, {0, -h, 0, h - top}, {0, h, 0, bottom - h}};
   }
 
   Light headlight() const {
@@ -89,8 +91,10 @@ class Geometry {
     const bool mirrored = glm::determinant(glm::dmat3(instance.to_world)) < 0;
     for (std::array<std::uint32_t, 3> corner : mesh.triangles) {
       if (mirrored) std::swap(corner[1], corner[2]);
-      const glm::dvec4 &a = lit.positions[corner[0]], &b = lit.positions[corner[1]], &c = lit.positions[corner[2]];
-      // Twice the area on the screen times the three w: right also for triangles that reach behind the viewer.
+      const glm::dvec4 &a = lit.positions[corner[0]], &b = lit.positions[corner[1]],
+                       &c = lit.positions[corner[2]];
+      // Twice the area on the screen times the three w: right also for triangles that reach behind the
+      // viewer.
       const bool faces = glm::determinant(glm::dmat3(a.x, a.y, a.w, b.x, b.y, b.w, c.x, c.y, c.w)) > 0;
       const auto& colours = material.two_sided && !faces ? lit.back : lit.front;
       std::vector<ClipVertex> polygon;
@@ -111,12 +115,16 @@ class Geometry {
 
   Vertex viewport(const ClipVertex& v) const {
     const glm::dvec3 p = glm::dvec3(v.position) / v.position.w;
-    return {view_.width * (0.5 + 0.5 * p.x), view_.height * (0.5 - 0.5 * p.y), std::clamp(p.z, 0.0, 1.0),
-            v.colour.r,                      v.colour.g,                       v.colour.b};
+    return {view_.width * (0.5 + 0.5 * p.x),
+            view_.height * (0.5 - 0.5 * p.y),
+            std::clamp(p.z, 0.0, 1.0),
+            v.colour.r,
+            v.colour.g,
+            v.colour.b};
   }
 
-  // Counter-clockwise on the screen, which is a negative area as rows go downward. As snapped, so that what is kept is
-  // what the rasterizer sees; a double holds the products exactly.
+  // Counter-clockwise on the screen, which is a negative area as rows go downward. As snapped, so that what
+  // is kept is what the rasterizer sees; a double holds the products exactly.
   bool faces_viewer(const std::array<Vertex, 3>& t) const {
     std::array<double, 3> x, y;
     for (int i = 0; i < 3; ++i) {

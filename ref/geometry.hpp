@@ -14,8 +14,8 @@ struct View {
   int subpixel_bits;  // of the raster: culling goes by the sign of the area as snapped
 };
 
-// Transform, Phong lighting at the vertices, clipping, division, viewport, culling. Triangles come in the order of
-// instances, meshes and faces. Error when none is left.
+// Transform, Phong lighting at the vertices, clipping, division, viewport, culling. Triangles come in the
+// order of instances, meshes and faces. Error when none is left.
 TriangleList project(const Scene&, const View&);
 
 }  // namespace halfspace::ref

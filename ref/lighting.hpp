@@ -17,7 +17,8 @@ struct SurfacePoint {
 };
 
 // The Phong model of index rendering, in 0-255 a channel and clamped to it:
-//   I = emission + Ia Ka + sum of Ii (Kd (L·N) + Ks (H·N)^n),  H = (L + V) / |L + V|,  for lights with L·N > 0.
+//   I = emission + Ia Ka + sum of Ii (Kd (L·N) + Ks (H·N)^n),  H = (L + V) / |L + V|,
+// for lights with L·N > 0.
 glm::dvec3 phong(const SurfacePoint&, const Material&, const glm::dvec3& ambient, const std::vector<Light>&);
 
 }  // namespace halfspace::ref

@@ -22,8 +22,9 @@ class MeshBuilder {
   // A box from its lowest corner and its edges, right-handed.
   void block(const glm::dvec3& corner, const glm::dvec3& x, const glm::dvec3& y, const glm::dvec3& z);
   void box(const glm::dvec3& low, const glm::dvec3& high);
-  // The side of a body of revolution: the profile is (distance from the axis, height) from the bottom up. The axis is
-  // parallel to y through `foot`; `sides` facets, smooth around, with a crease at each point of the profile.
+  // The side of a body of revolution: the profile is (distance from the axis, height) from the bottom up. The
+  // axis is parallel to y through `foot`; `sides` facets, smooth around, with a crease at each point of the
+  // profile.
   void lathe(const glm::dvec3& foot, const std::vector<glm::dvec2>& profile, int sides);
   // A regular polygon around the same axis, facing up or down.
   void disc(const glm::dvec3& centre, double radius, int sides, bool up);

@@ -66,7 +66,8 @@ struct Plane {
 
   // V times D.
   Wide numerator(std::int64_t px, std::int64_t py) const {
-    return Wide(v0) * triangle.area + Wide(step_x) * (px - triangle.x[0]) + Wide(step_y) * (py - triangle.y[0]);
+    return Wide(v0) * triangle.area + Wide(step_x) * (px - triangle.x[0]) +
+           Wide(step_y) * (py - triangle.y[0]);
   }
   double exact(Wide numerator) const { return double(numerator) / double(triangle.area); }
   // floor(V + 1/2)

@@ -20,7 +20,8 @@ glm::dquat between(const aiQuatKey& a, const aiQuatKey& b, double t) {
 
 template <class Key>
 auto at_time(const Key* keys, unsigned count, double ticks) {
-  const Key* next = std::upper_bound(keys, keys + count, ticks, [](double t, const Key& key) { return t < key.mTime; });
+  const Key* next =
+      std::upper_bound(keys, keys + count, ticks, [](double t, const Key& key) { return t < key.mTime; });
   if (next == keys) return between(*next, *next, 0);
   const Key* last = next - 1;
   if (next == keys + count || next->mTime <= last->mTime) return between(*last, *last, 0);
@@ -55,7 +56,8 @@ glm::dmat4 to_glm(const aiMatrix4x4& m) {
 Pose::Pose(const aiScene& scene, double time_seconds) {
   if (scene.mNumAnimations > 0) {
     const aiAnimation& animation = *scene.mAnimations[0];
-    const double ticks = time_seconds * (animation.mTicksPerSecond > 0 ? animation.mTicksPerSecond : kDefaultTicks);
+    const double ticks =
+        time_seconds * (animation.mTicksPerSecond > 0 ? animation.mTicksPerSecond : kDefaultTicks);
     for (unsigned i = 0; i < animation.mNumChannels; ++i) {
       animated_[animation.mChannels[i]->mNodeName.C_Str()] = at_time(*animation.mChannels[i], ticks);
     }
@@ -65,7 +67,8 @@ Pose::Pose(const aiScene& scene, double time_seconds) {
 
 void Pose::place(const aiNode& node, const glm::dmat4& parent) {
   const auto animated = animated_.find(node.mName.C_Str());
-  const glm::dmat4 here = parent * (animated == animated_.end() ? to_glm(node.mTransformation) : animated->second);
+  const glm::dmat4 here =
+      parent * (animated == animated_.end() ? to_glm(node.mTransformation) : animated->second);
   by_node_[&node] = here;
   by_name_.emplace(node.mName.C_Str(), here);
   for (unsigned i = 0; i < node.mNumChildren; ++i) place(*node.mChildren[i], here);
@@ -76,7 +79,8 @@ glm::dmat4 Pose::to_world(const std::string& node) const {
   return found == by_name_.end() ? glm::dmat4(1) : found->second;
 }
 
-// Linear blend skinning: a vertex is moved by the weighted mean of its bones' matrices, each from the mesh as it was bound.
+// Linear blend skinning: a vertex is moved by the weighted mean of its bones' matrices, each from the mesh as
+// it was bound.
 void skin(const aiMesh& source, const Pose& pose, const glm::dmat4& of_node, Mesh* mesh) {
   std::vector<glm::dmat4> blend(mesh->positions.size(), glm::dmat4(0));
   std::vector<double> weights(mesh->positions.size(), 0);

@@ -6,8 +6,9 @@
 
 namespace halfspace::ref {
 
-// Error if the header of a PLY or OFF file announces more elements than the file can hold. Assimp 5.2 believes such
-// headers: it waits for ever for the rest of a cut PLY, and takes the memory that an OFF asks for.
+// Error if the header of a PLY or OFF file announces more elements than the file can hold. Assimp 5.2
+// believes such headers: it waits for ever for the rest of a cut PLY, and takes the memory that an OFF asks
+// for.
 void check_promised_elements(const std::string& path);
 
 }  // namespace halfspace::ref

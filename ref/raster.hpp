@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The reference rasterizer: what index rendering has to come to, decided without an error of arithmetic.
 //
-// Coverage is Pineda's edge functions in integers with the top-left rule; either winding is drawn. Depth and colour
-// are planes over the snapped vertices, kept as exact rationals until the last step. Visibility is decided first, into
-// index and depth; colour is taken at scan-out from the triangle whose index stands in the pixel.
+// Coverage is Pineda's edge functions in integers with the top-left rule; either winding is drawn. Depth and
+// colour are planes over the snapped vertices, kept as exact rationals until the last step. Visibility is
+// decided first, into index and depth; colour is taken at scan-out from the triangle whose index stands in
+// the pixel.
 #ifndef HALFSPACE_REF_RASTER_HPP_
 #define HALFSPACE_REF_RASTER_HPP_
 

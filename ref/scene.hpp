@@ -56,18 +56,18 @@ struct Scene {
   std::vector<Mesh> meshes;
   std::vector<Material> materials;
   std::vector<Instance> instances;
-  std::vector<Light> lights;  // none: one from the upper left behind the viewer
-  glm::dvec3 ambient{0.32};   // Ia
+  std::vector<Light> lights;          // none: one from the upper left behind the viewer
+  glm::dvec3 ambient{0.32};           // Ia
   glm::dvec3 background{26, 32, 46};  // 0-255
   std::optional<Camera> camera;
-  // Without a camera the scene is looked at along `view_direction`, from so far that all `framing` points are seen.
-  // They are those of time 0: the view stays when the scene moves.
+  // Without a camera the scene is looked at along `view_direction`, from so far that all `framing` points are
+  // seen. They are those of time 0: the view stays when the scene moves.
   glm::dvec3 view_direction{-0.5, -0.45, -0.75};
   std::vector<glm::dvec3> framing;
 };
 
-// A built-in scene by its name, or any file that Assimp reads, with the first of its animations (nodes and bones) at
-// `time_seconds`; the built-in scenes stand still. Error on everything that cannot be drawn.
+// A built-in scene by its name, or any file that Assimp reads, with the first of its animations (nodes and
+// bones) at `time_seconds`; the built-in scenes stand still. Error on everything that cannot be drawn.
 Scene load_scene(const std::string& name_or_path, double time_seconds = 0);
 
 std::vector<std::string> builtin_scene_names();

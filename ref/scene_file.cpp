@@ -41,7 +41,8 @@ const aiScene* import(Assimp::Importer& importer, const std::string& path) {
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   bool dropped = false;
   Assimp::DefaultLogger::create("", Assimp::Logger::NORMAL, 0);
-  Assimp::DefaultLogger::get()->attachStream(new DroppedFaces(&dropped), Assimp::Logger::Warn);  // Assimp deletes it
+  Assimp::DefaultLogger::get()->attachStream(new DroppedFaces(&dropped),
+                                             Assimp::Logger::Warn);  // Assimp deletes it
   const aiScene* file = importer.ReadFile(path, kSteps);
   Assimp::DefaultLogger::kill();
   if (!file) {
@@ -67,7 +68,8 @@ void mend_normals(Mesh* mesh) {
         continue;
       }
       const glm::dvec3& origin = mesh->positions[corner[0]];
-      const glm::dvec3 normal = glm::cross(mesh->positions[corner[1]] - origin, mesh->positions[corner[2]] - origin);
+      const glm::dvec3 normal =
+          glm::cross(mesh->positions[corner[1]] - origin, mesh->positions[corner[2]] - origin);
       const double face_length = glm::length(normal);
       mesh->normals[i] = usable(face_length) ? normal / face_length : glm::dvec3(0, 1, 0);
     }
@@ -90,8 +92,9 @@ Mesh mesh_of(const aiMesh& source, const std::string& path) {
     if (face.mNumIndices != 3) continue;  // points and lines
     for (int v = 0; v < 3; ++v) {
       if (face.mIndices[v] < source.mNumVertices) continue;
-      throw Error(fmt::format("{}: mesh '{}', face {}: index {} is beyond its {} vertices; export the file again", path,
-                              mesh.name, i, face.mIndices[v], source.mNumVertices));
+      throw Error(
+          fmt::format("{}: mesh '{}', face {}: index {} is beyond its {} vertices; export the file again",
+                      path, mesh.name, i, face.mIndices[v], source.mNumVertices));
     }
     mesh.triangles.push_back({face.mIndices[0], face.mIndices[1], face.mIndices[2]});
   }
@@ -127,7 +130,8 @@ std::vector<glm::dvec3> world_points(const Scene& scene) {
   for (const Instance& instance : scene.instances) {
     const Mesh& mesh = scene.meshes[instance.mesh];
     for (const auto& corner : mesh.triangles) {
-      for (const std::uint32_t i : corner) points.emplace_back(instance.to_world * glm::dvec4(mesh.positions[i], 1));
+      for (const std::uint32_t i : corner)
+        points.emplace_back(instance.to_world * glm::dvec4(mesh.positions[i], 1));
     }
   }
   return points;
@@ -147,7 +151,8 @@ Scene read_scene_file(const std::string& path, double time_seconds) {
   Scene scene = geometry_at(file, meshes, pose);
   scene.framing = world_points(time_seconds == 0 ? scene : geometry_at(file, meshes, start));
   scene.name = path;
-  for (unsigned i = 0; i < file.mNumMaterials; ++i) scene.materials.push_back(material_of(*file.mMaterials[i]));
+  for (unsigned i = 0; i < file.mNumMaterials; ++i)
+    scene.materials.push_back(material_of(*file.mMaterials[i]));
   scene.materials.emplace_back();  // light grey, for meshes without one
   for (Mesh& mesh : scene.meshes) {
     mesh.material = std::clamp(mesh.material, 0, static_cast<int>(scene.materials.size()) - 1);
@@ -155,7 +160,8 @@ Scene read_scene_file(const std::string& path, double time_seconds) {
   if (file.mNumCameras > 0) {
     const std::string extension = extension_of(path);
     const std::optional<Camera> at_start = camera_of(*file.mCameras[0], start, extension);
-    if (at_start && sees(*at_start, scene.framing)) scene.camera = camera_of(*file.mCameras[0], pose, extension);
+    if (at_start && sees(*at_start, scene.framing))
+      scene.camera = camera_of(*file.mCameras[0], pose, extension);
   }
   add_lights(file, pose, &scene);
   return scene;

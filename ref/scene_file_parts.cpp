@@ -18,7 +18,8 @@ glm::dvec3 sane_colour(const glm::dvec3& c) {
   return glm::max(c, glm::dvec3(0));
 }
 
-glm::dvec3 colour_of(const aiMaterial& source, const char* key, unsigned type, unsigned index, const glm::dvec3& absent) {
+glm::dvec3 colour_of(const aiMaterial& source, const char* key, unsigned type, unsigned index,
+                     const glm::dvec3& absent) {
   aiColor3D colour;
   if (source.Get(key, type, index, colour) != AI_SUCCESS) return absent;
   return sane_colour(to_glm(colour));
@@ -29,8 +30,8 @@ bool usable(const glm::dvec3& direction) {
   return std::isfinite(length) && length > 1e-9;
 }
 
-// Half of the size of the view at distance 1; 0 for an angle that is none. Assimp's Collada importer turns the angle of a
-// camera that has none, 45 degrees, into radians twice: 0.0137.
+// Half of the size of the view at distance 1; 0 for an angle that is none. Assimp's Collada importer turns
+// the angle of a camera that has none, 45 degrees, into radians twice: 0.0137.
 double half_size(double angle) { return angle > 0.0138 && angle < 3.1 ? std::tan(angle / 2) : 0; }
 
 struct Box {
@@ -72,7 +73,8 @@ Material material_of(const aiMaterial& source) {
   material.specular = colour_of(source, AI_MATKEY_COLOR_SPECULAR, glm::dvec3(0));
   material.emission = colour_of(source, AI_MATKEY_COLOR_EMISSIVE, glm::dvec3(0));
   float number = 1;
-  if (source.Get(AI_MATKEY_SHININESS_STRENGTH, number) == AI_SUCCESS && number >= 0) material.specular *= number;
+  if (source.Get(AI_MATKEY_SHININESS_STRENGTH, number) == AI_SUCCESS && number >= 0)
+    material.specular *= number;
   number = 0;
   source.Get(AI_MATKEY_SHININESS, number);
   material.shininess = number;
@@ -89,7 +91,8 @@ std::optional<Camera> camera_of(const aiCamera& source, const Pose& pose, const 
   camera.position = to_world * glm::dvec4(to_glm(source.mPosition), 1);
   camera.forward = glm::dmat3(to_world) * to_glm(source.mLookAt);
   camera.up = glm::dmat3(to_world) * to_glm(source.mUp);
-  if (!usable(camera.forward) || !usable(camera.up) || !std::isfinite(glm::length(camera.position))) return std::nullopt;
+  if (!usable(camera.forward) || !usable(camera.up) || !std::isfinite(glm::length(camera.position)))
+    return std::nullopt;
   const double aspect = source.mAspect > 0 ? source.mAspect : 0;
   if (source.mOrthographicWidth > 0) {
     camera.orthographic = true;
@@ -120,7 +123,8 @@ bool sees(const Camera& camera, const std::vector<glm::dvec3>& points) {
   return std::any_of(points.begin(), points.end(), [&](const glm::dvec3& point) {
     const double ahead = glm::dot(point - camera.position, forward);
     const double aside = glm::length(point - camera.position - ahead * forward);
-    return ahead > 0 && (camera.far == 0 || ahead < camera.far) && aside < (camera.orthographic ? 1 : ahead) * half_size;
+    return ahead > 0 && (camera.far == 0 || ahead < camera.far) &&
+           aside < (camera.orthographic ? 1 : ahead) * half_size;
   });
 }
 
@@ -132,7 +136,8 @@ void add_lights(const aiScene& file, const Pose& pose, Scene* scene) {
     Light light;
     light.colour = sane_colour(to_glm(source.mColorDiffuse));
     light.position = to_world * glm::dvec4(to_glm(source.mPosition), 1);
-    light.attenuation = {source.mAttenuationConstant, source.mAttenuationLinear, source.mAttenuationQuadratic};
+    light.attenuation = {source.mAttenuationConstant, source.mAttenuationLinear,
+                         source.mAttenuationQuadratic};
     const glm::dvec3 direction = glm::dmat3(to_world) * to_glm(source.mDirection);
     light.direction = usable(direction) ? glm::normalize(direction) : glm::dvec3(0, 0, -1);
     light.cos_inner = std::cos(source.mAngleInnerCone / 2.0);
@@ -141,9 +146,14 @@ void add_lights(const aiScene& file, const Pose& pose, Scene* scene) {
       case aiLightSource_AMBIENT:
         ambient += glm::max(sane_colour(to_glm(source.mColorAmbient)), light.colour);
         continue;
-      case aiLightSource_DIRECTIONAL: light.kind = Light::Kind::kDirectional; break;
-      case aiLightSource_SPOT: light.kind = Light::Kind::kSpot; break;
-      default: light.kind = Light::Kind::kPoint;  // an area light is a point from afar
+      case aiLightSource_DIRECTIONAL:
+        light.kind = Light::Kind::kDirectional;
+        break;
+      case aiLightSource_SPOT:
+        light.kind = Light::Kind::kSpot;
+        break;
+      default:
+        light.kind = Light::Kind::kPoint;  // an area light is a point from afar
     }
     if (!is_black(light.colour) && std::isfinite(glm::length(light.position))) scene->lights.push_back(light);
   }

@@ -19,12 +19,12 @@ Material material_of(const aiMaterial&);
 // None if the camera has no direction. `extension` is the file's: importers differ in what they store.
 std::optional<Camera> camera_of(const aiCamera&, const Pose&, const std::string& extension);
 
-// Is the camera among the points, or does it have one of them in view? The importers of some formats (3DS, ASE) turn
-// cameras the wrong way.
+// Is the camera among the points, or does it have one of them in view? The importers of some formats (3DS,
+// ASE) turn cameras the wrong way.
 bool sees(const Camera&, const std::vector<glm::dvec3>& points);
 
-// The lights, and the ambient light if the file has any. Files state intensities in units of their own (0-1, candela,
-// lux), so all are scaled together if their sum is beyond 1/4 to 1 at the middle of scene.framing.
+// The lights, and the ambient light if the file has any. Files state intensities in units of their own (0-1,
+// candela, lux), so all are scaled together if their sum is beyond 1/4 to 1 at the middle of scene.framing.
 void add_lights(const aiScene&, const Pose&, Scene*);
 
 }  // namespace halfspace::ref

@@ -13,8 +13,8 @@ namespace {
 // Why the list is beyond the format; empty when it is not.
 std::string misfit(const TriangleList& list, const RasterFormat& format) {
   if (list.width < 1 || list.height < 1 || list.width > format.width || list.height > format.height) {
-    return fmt::format("the frame of {}x{} pixels does not fit configuration {}, which takes 1x1 to {}x{}", list.width,
-                       list.height, format.name, format.width, format.height);
+    return fmt::format("the frame of {}x{} pixels does not fit configuration {}, which takes 1x1 to {}x{}",
+                       list.width, list.height, format.name, format.width, format.height);
   }
   if (list.triangles.size() > static_cast<std::size_t>(format.triangles)) {
     return fmt::format("the {} triangles do not fit configuration {}, which takes {}", list.triangles.size(),
@@ -27,9 +27,10 @@ std::string misfit(const TriangleList& list, const RasterFormat& format) {
       for (const auto& [axis, pixels] : {std::pair('x', vertex.x), std::pair('y', vertex.y)}) {
         const double position = snapped_position(pixels, format.subpixel_bits);
         if (position >= -limit && position < limit) continue;
-        return fmt::format("triangle {}, vertex {}: {} = {} does not fit configuration {}, which takes [{}, {}) pixels",
-                           k + 1, v, axis, pixels, format.name, -(1 << (format.range_bits - 1)),
-                           1 << (format.range_bits - 1));
+        return fmt::format(
+            "triangle {}, vertex {}: {} = {} does not fit configuration {}, which takes [{}, {}) pixels",
+            k + 1, v, axis, pixels, format.name, -(1 << (format.range_bits - 1)),
+            1 << (format.range_bits - 1));
       }
     }
   }
@@ -48,10 +49,14 @@ std::uint8_t snapped_colour(double value) { return static_cast<std::uint8_t>(std
 
 }  // namespace
 
-// Scaling by 2^f is exact, so there is one rounding, in the mode the program starts in: to nearest, ties to even.
-double snapped_position(double pixels, int subpixel_bits) { return std::nearbyint(std::ldexp(pixels, subpixel_bits)); }
+// Scaling by 2^f is exact, so there is one rounding, in the mode the program starts in: to nearest, ties to
+// even.
+double snapped_position(double pixels, int subpixel_bits) {
+  return std::nearbyint(std::ldexp(pixels, subpixel_bits));
+}
 
-SnappedList snap(const TriangleList& list, const RasterFormat& format, const std::vector<RasterFormat>& others) {
+SnappedList snap(const TriangleList& list, const RasterFormat& format,
+                 const std::vector<RasterFormat>& others) {
   const std::string reason = misfit(list, format);
   if (!reason.empty()) throw Error(reason + "; " + remedy(list, others));
 
@@ -71,7 +76,8 @@ SnappedList snap(const TriangleList& list, const RasterFormat& format, const std
   return snapped;
 }
 
-// Positions are dyadic, so exact. A depth d / (2^b - 1) has a relative error of 2^-53, which times 2^b is far from ½.
+// Positions are dyadic, so exact. A depth d / (2^b - 1) has a relative error of 2^-53, which times 2^b is far
+// from ½.
 TriangleList unsnap(const SnappedList& list) {
   TriangleList out{list.width, list.height, {}, {}};
   for (int c = 0; c < 3; ++c) out.background[c] = list.background[c];

@@ -15,11 +15,11 @@ namespace halfspace::ref {
 // What a hardware configuration takes; filled by the caller, as this folder knows none.
 struct RasterFormat {
   std::string name;
-  int width, height;   // largest frame, pixels
-  int triangles;       // triangles a frame
-  int range_bits;      // positions lie in [-2^(range_bits-1), 2^(range_bits-1)) pixels
-  int subpixel_bits;   // f, fraction bits of a position, 1 or more
-  int depth_bits;      // b, bits of a stored depth, 32 or less
+  int width, height;  // largest frame, pixels
+  int triangles;      // triangles a frame
+  int range_bits;     // positions lie in [-2^(range_bits-1), 2^(range_bits-1)) pixels
+  int subpixel_bits;  // f, fraction bits of a position, 1 or more
+  int depth_bits;     // b, bits of a stored depth, 32 or less
 };
 
 struct SnappedTriangle {
@@ -41,8 +41,8 @@ constexpr std::uint32_t full_depth(int depth_bits) { return 0xffffffffu >> (32 -
 // A position in units of 2^-f pixels, ties to even, still a double as it may be beyond any integer.
 double snapped_position(double pixels, int subpixel_bits);
 
-// Error when the frame, the number of triangles or a position is beyond `format`; it names the first of `others` that
-// takes the list.
+// Error when the frame, the number of triangles or a position is beyond `format`; it names the first of
+// `others` that takes the list.
 SnappedList snap(const TriangleList&, const RasterFormat&, const std::vector<RasterFormat>& others = {});
 
 // snap(unsnap(s)) is s.

@@ -41,8 +41,8 @@ class Surface {
   glm::dvec3 normal(double u, double v) const {
     glm::dvec3 along_u = sum(bernstein_slope(u), bernstein(v));
     glm::dvec3 along_v = sum(bernstein(u), bernstein_slope(v));
-    // Where an edge of the patch is a single point its tangent is zero. Inward of the edge the tangent is the mixed
-    // derivative times the distance, which has its direction.
+    // Where an edge of the patch is a single point its tangent is zero. Inward of the edge the tangent is the
+    // mixed derivative times the distance, which has its direction.
     const glm::dvec3 mixed = sum(bernstein_slope(u), bernstein_slope(v));
     if (glm::length(along_u) < 1e-9) along_u = v < 0.5 ? mixed : -mixed;
     if (glm::length(along_v) < 1e-9) along_v = u < 0.5 ? mixed : -mixed;

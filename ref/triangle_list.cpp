@@ -28,9 +28,11 @@ class TriReader {
       split(line);
       if (!fields_.empty()) read_line();
     }
-    if (file.bad()) throw Error(fmt::format("{}:{}: the file cannot be read further; check the disk", path_, line_));
+    if (file.bad())
+      throw Error(fmt::format("{}:{}: the file cannot be read further; check the disk", path_, line_));
     if (!sized_) throw Error(fmt::format("{}: there is no line 'size W H'; put it first", path_));
-    if (list_.triangles.empty()) throw Error(fmt::format("{}: there are no triangles; add a line 't ...'", path_));
+    if (list_.triangles.empty())
+      throw Error(fmt::format("{}: there are no triangles; add a line 't ...'", path_));
     return std::move(list_);
   }
 
@@ -67,7 +69,8 @@ class TriReader {
     const std::size_t got = fields_.size() - 1;
     if (got == count) return;
     if (got < count && cut_) {
-      fail(fmt::format("the file ends in the middle of a line ({} numbers of {}); copy it again", got, count));
+      fail(
+          fmt::format("the file ends in the middle of a line ({} numbers of {}); copy it again", got, count));
     }
     fail(fmt::format("{} numbers where {} are needed; write '{}'", got, count, form));
   }
@@ -84,21 +87,24 @@ class TriReader {
       fail(fmt::format("field {}: '{}' is not a number; write one like -12.5", field + 1,
                        one_line(std::string(text), 20)));
     }
-    if (!std::isfinite(value)) fail(fmt::format("field {}: '{}' is not finite; write a finite number", field + 1, text));
+    if (!std::isfinite(value))
+      fail(fmt::format("field {}: '{}' is not finite; write a finite number", field + 1, text));
     return value;
   }
 
   double number_in(std::size_t field, const char* what, double low, double high) const {
     const double value = number(field);
     if (value < low || value > high) {
-      fail(fmt::format("field {}: {} = {} is outside [{}, {}]; write a number in it", field + 1, what, value, low, high));
+      fail(fmt::format("field {}: {} = {} is outside [{}, {}]; write a number in it", field + 1, what, value,
+                       low, high));
     }
     return value;
   }
 
   int side(std::size_t field, const char* what) const {
     const double value = number_in(field, what, 1, kLargestSide);
-    if (value != std::floor(value)) fail(fmt::format("field {}: {} = {} is not whole; write whole pixels", field + 1, what, value));
+    if (value != std::floor(value))
+      fail(fmt::format("field {}: {} = {} is not whole; write whole pixels", field + 1, what, value));
     return static_cast<int>(value);
   }
 
@@ -120,8 +126,12 @@ class TriReader {
     std::array<Vertex, 3> triangle;
     for (int v = 0; v < 3; ++v) {
       const std::size_t at = 1 + 6 * v;
-      triangle[v] = {number(at), number(at + 1), number_in(at + 2, "z", 0, 1), number_in(at + 3, "r", 0, 255),
-                     number_in(at + 4, "g", 0, 255), number_in(at + 5, "b", 0, 255)};
+      triangle[v] = {number(at),
+                     number(at + 1),
+                     number_in(at + 2, "z", 0, 1),
+                     number_in(at + 3, "r", 0, 255),
+                     number_in(at + 4, "g", 0, 255),
+                     number_in(at + 5, "b", 0, 255)};
     }
     list_.triangles.push_back(triangle);
   }

@@ -21,16 +21,18 @@ Viewpoint look(const glm::dvec3& eye, const glm::dvec3& direction, const glm::dv
   Viewpoint view{eye, glm::normalize(direction), {}, {}, false, {}};
   glm::dvec3 right = glm::cross(view.forward, up_hint);
   if (!(glm::length(right) > 1e-9)) {
-    right = glm::cross(view.forward, std::abs(view.forward.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0));
+    right =
+        glm::cross(view.forward, std::abs(view.forward.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0));
   }
   view.right = glm::normalize(right);
   view.up = glm::cross(view.right, view.forward);
   return view;
 }
 
-// The closest eye on a line of sight that sees all points. With t the slope of a side of the view, a point at (x, z), z
-// away from the viewer, is seen from (c, -d) when |x - c| <= t (d + z): so with
-//   A = max(x - t z),  B = max(-x - t z):  A - t d <= c <= t d - B,  d >= (A + B) / 2t,  and c = (A - B) / 2 is mid-way.
+// The closest eye on a line of sight that sees all points. With t the slope of a side of the view, a point at
+// (x, z), z away from the viewer, is seen from (c, -d) when |x - c| <= t (d + z): so with
+//   A = max(x - t z),  B = max(-x - t z):  A - t d <= c <= t d - B,  d >= (A + B) / 2t,
+// and c = (A - B) / 2 is mid-way.
 glm::dvec3 framing_eye(const std::vector<glm::dvec3>& points, const Viewpoint& view, double aspect) {
   const double slope_x = kHalfHeight * aspect / kMargin, slope_y = kHalfHeight / kMargin;
   const glm::dvec3 origin = points.front();
@@ -46,7 +48,8 @@ glm::dvec3 framing_eye(const std::vector<glm::dvec3>& points, const Viewpoint& v
   // Something flat seen edge on, or a single point, would put the eye into it.
   const double least = -depth.low + std::max(1e-3 * (depth.high - depth.low), 1e-6);
   d = std::max(d, least);
-  return origin + (right.high - left.high) / 2 * view.right + (above.high - below.high) / 2 * view.up - d * view.forward;
+  return origin + (right.high - left.high) / 2 * view.right + (above.high - below.high) / 2 * view.up -
+         d * view.forward;
 }
 
 // How far away the geometry before the eye begins and ends.
@@ -83,9 +86,9 @@ Viewpoint viewpoint(const Scene& scene, double aspect) {
   }
 
   const Range depth = depth_range(scene, view);
-  // A little more than the geometry has, so that nothing lies on a plane. The planes of a file can be far off (0.05 and
-  // 1e6 for a model of 10); drawn in to the geometry they cut off the same, and leave depth its bits. Without planes the
-  // nearest is at most 1:10000.
+  // A little more than the geometry has, so that nothing lies on a plane. The planes of a file can be far off
+  // (0.05 and 1e6 for a model of 10); drawn in to the geometry they cut off the same, and leave depth its
+  // bits. Without planes the nearest is at most 1:10000.
   double far = 1.02 * depth.high;
   if (camera.far > 0) far = std::min(far, camera.far);
   if (!(far > camera.near)) far = camera.near > 0 ? 2 * camera.near : 1;

@@ -46,7 +46,8 @@ void expect_in(const std::string& part, const std::string& text) {
 
 class TemporaryFile {
  public:
-  TemporaryFile(const std::string& name, const std::string& text) : path_(::testing::TempDir() + "halfspace_ref_" + name) {
+  TemporaryFile(const std::string& name, const std::string& text)
+      : path_(::testing::TempDir() + "halfspace_ref_" + name) {
     std::ofstream(path_, std::ios::binary) << text;
   }
   ~TemporaryFile() { std::filesystem::remove(path_); }
@@ -61,7 +62,8 @@ std::size_t covered(const Frame& frame) {
 }
 
 Frame render_file(const std::string& path, double time = 0) {
-  return render(snap(project(load_scene(path, time), {640, 480, kHigh.range_bits, kHigh.subpixel_bits}), kHigh));
+  return render(
+      snap(project(load_scene(path, time), {640, 480, kHigh.range_bits, kHigh.subpixel_bits}), kHigh));
 }
 
 // --- triangles at random, in sub-pixels ---
@@ -83,7 +85,8 @@ SnappedTriangle random_triangle(Random& random, int reach, int depth_bits) {
   return t;
 }
 
-SnappedList list_of(const RasterFormat& format, int width, int height, std::vector<SnappedTriangle> triangles) {
+SnappedList list_of(const RasterFormat& format, int width, int height,
+                    std::vector<SnappedTriangle> triangles) {
   return {format, width, height, {1, 2, 3}, std::move(triangles)};
 }
 
@@ -97,7 +100,9 @@ double area(const Mesh& mesh, const std::array<std::uint32_t, 3>& t) {
 TEST(Scenes, TeapotIsNewells) {
   const Mesh mesh = load_scene("teapot").meshes.at(0);
   EXPECT_EQ(mesh.triangles.size(), 3136u);
-  EXPECT_EQ(std::count_if(mesh.triangles.begin(), mesh.triangles.end(), [&](auto& t) { return area(mesh, t) < 1e-12; }), 56);
+  EXPECT_EQ(std::count_if(mesh.triangles.begin(), mesh.triangles.end(),
+                          [&](auto& t) { return area(mesh, t) < 1e-12; }),
+            56);
 }
 
 TEST(Scenes, WindingsAndNormalsPointOutward) {
@@ -119,7 +124,9 @@ TEST(Scenes, WindingsAndNormalsPointOutward) {
 
 TEST(Scenes, SolidsAreClosedAndOutsideOut) {
   using Place = std::array<long, 3>;
-  const auto place = [](const glm::dvec3& p) { return Place{std::lround(p.x * 1e6), std::lround(p.y * 1e6), std::lround(p.z * 1e6)}; };
+  const auto place = [](const glm::dvec3& p) {
+    return Place{std::lround(p.x * 1e6), std::lround(p.y * 1e6), std::lround(p.z * 1e6)};
+  };
   for (const char* name : {"cube", "pyramid", "ring", "wheel"}) {
     for (const Mesh& mesh : load_scene(name).meshes) {
       std::map<std::pair<Place, Place>, int> balance;
@@ -144,7 +151,8 @@ TEST(Scenes, AllFitAllConfigurationsAndTheFrame) {
       const TriangleList list = project(load_scene(name), view_of(format));
       for (const auto& triangle : list.triangles) {
         for (const Vertex& v : triangle) {
-          ASSERT_TRUE(v.x >= 0 && v.x <= format.width && v.y >= 0 && v.y <= format.height) << name << " " << format.name;
+          ASSERT_TRUE(v.x >= 0 && v.x <= format.width && v.y >= 0 && v.y <= format.height)
+              << name << " " << format.name;
           ASSERT_TRUE(v.z > 0 && v.z < 1) << name;
         }
       }
@@ -190,12 +198,14 @@ TEST(Tri, RoundTripsToTheBit) {
 
 TEST(Tri, WritesWhatThePageSays) {
   std::ostringstream text;
-  write_tri(text, {2, 1, {0, 0, 0}, {{{{0, 0.5, 1, 255, 0, 1}, {-8, 0, 0, 1, 2, 3}, {4, 4, 0.25, 4, 5, 6}}}}});
+  write_tri(text,
+            {2, 1, {0, 0, 0}, {{{{0, 0.5, 1, 255, 0, 1}, {-8, 0, 0, 1, 2, 3}, {4, 4, 0.25, 4, 5, 6}}}}});
   EXPECT_EQ(text.str(), "size 2 1\nt 0 0.5 1 255 0 1  -8 0 0 1 2 3  4 4 0.25 4 5 6\n");
 }
 
 TEST(Tri, TakesCommentsAndBlankLines) {
-  const TemporaryFile file("comments.tri", "# a\r\n\n  size 4 3 # b\n\tt 0 0 0 1 2 3  1 0 0.5 1 2 3  0 1 1 1 2 3");
+  const TemporaryFile file("comments.tri",
+                           "# a\r\n\n  size 4 3 # b\n\tt 0 0 0 1 2 3  1 0 0.5 1 2 3  0 1 1 1 2 3");
   const TriangleList list = read_tri(file.path());
   EXPECT_EQ(list.width, 4);
   EXPECT_EQ(list.height, 3);
@@ -204,7 +214,9 @@ TEST(Tri, TakesCommentsAndBlankLines) {
 
 TEST(Tri, RefusesWithFileAndLine) {
   const std::string good = "t 0 0 0 1 2 3  1 0 0 1 2 3  0 1 0 1 2 3\n";
-  const auto vertex = [](const std::string& text) { return "size 4 4\nt " + text + "  1 0 0 1 2 3  0 1 0 1 2 3\n"; };
+  const auto vertex = [](const std::string& text) {
+    return "size 4 4\nt " + text + "  1 0 0 1 2 3  0 1 0 1 2 3\n";
+  };
   const std::vector<std::pair<std::string, std::string>> cases{
       {"", "empty"},
       {good, ":1: 't' comes before the line 'size W H'"},
@@ -248,7 +260,12 @@ TriangleList one_vertex(double x, double y, double z = 0, double colour = 0) {
 
 TEST(Snap, TiesGoToEven) {
   const double half = 1.0 / 32;  // of a sub-pixel of low
-  const double cases[][2] = {{half, 0}, {3 * half, 2}, {5 * half, 2}, {-half, 0}, {-3 * half, -2}, {2 * half, 1},
+  const double cases[][2] = {{half, 0},
+                             {3 * half, 2},
+                             {5 * half, 2},
+                             {-half, 0},
+                             {-3 * half, -2},
+                             {2 * half, 1},
                              {std::nextafter(half, 1), 1}};
   for (const auto& [pixels, expected] : cases) {
     const SnappedTriangle t = snap(one_vertex(pixels, -pixels), kLow).triangles[0];
@@ -279,7 +296,8 @@ TEST(Snap, RefusesAndNamesWhatFits) {
 
   snap(one_vertex(-512, 511.96), kLow);
   expect_in("triangle 1, vertex 0: y = 511.97", refusal([] { snap(one_vertex(0, 511.97), kLow, kAll); }));
-  expect_in("[-512, 512) pixels; configuration middle takes it", refusal([] { snap(one_vertex(512, 0), kLow, kAll); }));
+  expect_in("[-512, 512) pixels; configuration middle takes it",
+            refusal([] { snap(one_vertex(512, 0), kLow, kAll); }));
   expect_in("x = -512.1", refusal([] { snap(one_vertex(-512.1, 0), kLow); }));
   expect_in("x = 1e+300", refusal([] { snap(one_vertex(1e300, 0), kHigh, kAll); }));
 }
@@ -303,7 +321,8 @@ TEST(Snap, UnsnapIsItsInverse) {
 __extension__ typedef __int128 Wide;
 
 // The same plane as a mean of the vertices, weighted by the areas opposite of them: no gradients.
-Wide weighted(const SnappedTriangle& t, const std::array<std::int64_t, 3>& value, std::int64_t px, std::int64_t py, std::int64_t* area) {
+Wide weighted(const SnappedTriangle& t, const std::array<std::int64_t, 3>& value, std::int64_t px,
+              std::int64_t py, std::int64_t* area) {
   Wide sum = 0;
   *area = 0;
   for (int i = 0; i < 3; ++i) {
@@ -362,7 +381,8 @@ TEST(Raster, AnyOrderOfTheVerticesIsTheSameTriangle) {
       SnappedTriangle turned;
       for (int v = 0; v < 3; ++v) {
         const int from = order[v];
-        turned.x[v] = t.x[from], turned.y[v] = t.y[from], turned.depth[v] = t.depth[from], turned.rgb[v] = t.rgb[from];
+        turned.x[v] = t.x[from], turned.y[v] = t.y[from], turned.depth[v] = t.depth[from],
+        turned.rgb[v] = t.rgb[from];
       }
       const Frame frame = render(list_of(kMiddle, 24, 24, {turned}));
       ASSERT_EQ(frame.index, first.index);
@@ -372,7 +392,8 @@ TEST(Raster, AnyOrderOfTheVerticesIsTheSameTriangle) {
   }
 }
 
-// Corners on a jittered grid, many of them on pixel centres, with the border straight: every centre belongs to one.
+// Corners on a jittered grid, many of them on pixel centres, with the border straight: every centre belongs
+// to one.
 TEST(Raster, MeshHasNoHolesAndNoDoubles) {
   Random random(5);
   for (int run = 0; run < 20; ++run) {
@@ -402,11 +423,13 @@ TEST(Raster, MeshHasNoHolesAndNoDoubles) {
 }
 
 SnappedTriangle whole_frame(std::uint32_t depth) {
-  return {{-1000, 8000, -1000}, {-1000, -1000, 8000}, {depth, depth, depth}, {{{9, 9, 9}, {9, 9, 9}, {9, 9, 9}}}};
+  return {
+      {-1000, 8000, -1000}, {-1000, -1000, 8000}, {depth, depth, depth}, {{{9, 9, 9}, {9, 9, 9}, {9, 9, 9}}}};
 }
 
 TEST(Raster, EqualDepthsComeBackAndTheFirstWins) {
-  const Frame frame = render(list_of(kMiddle, 8, 8, {whole_frame(1234567), whole_frame(1234567), whole_frame(1234566)}));
+  const Frame frame =
+      render(list_of(kMiddle, 8, 8, {whole_frame(1234567), whole_frame(1234567), whole_frame(1234566)}));
   EXPECT_EQ(frame.index, std::vector<std::uint32_t>(64, 3));
   EXPECT_EQ(frame.depth, std::vector<std::uint32_t>(64, 1234566));
   EXPECT_EQ(frame.visible, (std::vector<bool>{true, false, true}));
@@ -454,7 +477,8 @@ TEST(Geometry, GroundThatReachesBehindTheViewerEndsAtTheHorizon) {
     for (int y = 0; y < format.height; ++y) {
       for (int x = 0; x < format.width; ++x) {
         if (std::abs(y + 0.5 - format.height / 2.0) < 1) continue;
-        ASSERT_EQ(frame.index[std::size_t(y) * format.width + x] != 0, y > format.height / 2) << format.name << " " << x << ", " << y;
+        ASSERT_EQ(frame.index[std::size_t(y) * format.width + x] != 0, y > format.height / 2)
+            << format.name << " " << x << ", " << y;
       }
     }
   }
@@ -464,7 +488,8 @@ double distance_to_line(const Vertex& a, const Vertex& b, double x, double y) {
   return std::abs((b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x)) / std::hypot(b.x - a.x, b.y - a.y);
 }
 
-// Corners made by clipping are snapped like others, which turns an edge by less than a sub-pixel; all else is the same.
+// Corners made by clipping are snapped like others, which turns an edge by less than a sub-pixel; all else is
+// the same.
 TEST(Geometry, GuardBandDoesNotChangeTheFrame) {
   Random random(6);
   Camera camera;
@@ -476,7 +501,8 @@ TEST(Geometry, GuardBandDoesNotChangeTheFrame) {
   int clipped = 0;
   for (int k = 0; k < 100; ++k) {
     Mesh mesh;
-    for (int v = 0; v < 3; ++v) mesh.positions.emplace_back(pick(random, -4000, 4000), pick(random, -4000, 4000), -2);
+    for (int v = 0; v < 3; ++v)
+      mesh.positions.emplace_back(pick(random, -4000, 4000), pick(random, -4000, 4000), -2);
     mesh.triangles = {{0, 1, 2}};
     const Scene scene = scene_of(mesh, camera);
     TriangleList whole, parts;
@@ -492,7 +518,9 @@ TEST(Geometry, GuardBandDoesNotChangeTheFrame) {
     for (std::size_t at = 0; at < a.index.size(); ++at) {
       if ((a.index[at] != 0) == (b.index[at] != 0)) continue;
       const double x = at % 640 + 0.5, y = double(at / 640) + 0.5;
-      ASSERT_LT(std::min({distance_to_line(t[0], t[1], x, y), distance_to_line(t[1], t[2], x, y), distance_to_line(t[2], t[0], x, y)}), 1.0 / 128);
+      ASSERT_LT(std::min({distance_to_line(t[0], t[1], x, y), distance_to_line(t[1], t[2], x, y),
+                          distance_to_line(t[2], t[0], x, y)}),
+                1.0 / 128);
     }
   }
   EXPECT_GT(clipped, 20);
@@ -548,9 +576,10 @@ TEST(Geometry, LightingIsPhongs) {
 // --- files ---
 
 TEST(Files, RealOnesAreDrawn) {
-  for (const char* name : {"OBJ/spider.obj", "glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb", "Collada/duck.dae",
-                           "Collada/cube_UTF8BOM.dae", "Collada/cameras.dae", "OBJ/cube_with_vertexcolors.obj", "PLY/cube.ply",
-                           "STL/Spider_binary.stl", "3DS/CameraRollAnim.3ds", "FBX/spider.fbx"}) {
+  for (const char* name :
+       {"OBJ/spider.obj", "glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb", "Collada/duck.dae",
+        "Collada/cube_UTF8BOM.dae", "Collada/cameras.dae", "OBJ/cube_with_vertexcolors.obj", "PLY/cube.ply",
+        "STL/Spider_binary.stl", "3DS/CameraRollAnim.3ds", "FBX/spider.fbx"}) {
     const std::string path = kModels + name;
     ASSERT_TRUE(std::filesystem::exists(path)) << path;
     try {
@@ -564,16 +593,18 @@ TEST(Files, RealOnesAreDrawn) {
 
 TEST(Files, AnimationsMoveNodesAndBones) {
   for (const char* name : {"Collada/box_nested_animation.dae", "glTF2/simple_skin/simple_skin.gltf"}) {
-    const Frame a = render_file(kModels + name), b = render_file(kModels + name, 1.2), again = render_file(kModels + name);
+    const Frame a = render_file(kModels + name), b = render_file(kModels + name, 1.2),
+                again = render_file(kModels + name);
     EXPECT_EQ(a.index, again.index) << name;
     EXPECT_NE(a.depth, b.depth) << name;
   }
 }
 
 TEST(Files, InvalidOnesAreRefused) {
-  for (const char* name : {"invalid/empty.obj", "invalid/empty.off", "invalid/empty.ply", "invalid/empty.3ds", "invalid/empty.x",
-                           "invalid/OutOfMemory.off", "invalid/malformed.obj", "glTF2/MissingBin/BoxTextured.gltf",
-                           "glTF2/IndexOutOfRange/IndexOutOfRange.gltf", "glTF2/RecursiveNodes/RecursiveNodes.gltf"}) {
+  for (const char* name :
+       {"invalid/empty.obj", "invalid/empty.off", "invalid/empty.ply", "invalid/empty.3ds", "invalid/empty.x",
+        "invalid/OutOfMemory.off", "invalid/malformed.obj", "glTF2/MissingBin/BoxTextured.gltf",
+        "glTF2/IndexOutOfRange/IndexOutOfRange.gltf", "glTF2/RecursiveNodes/RecursiveNodes.gltf"}) {
     expect_in(kModels + name + ": ", refusal([&] { render_file(kModels + name); }));
   }
 }
@@ -611,9 +642,11 @@ TEST(Files, CutOnesAreRefused) {
 }
 
 TEST(Files, HeadersThatPromiseTooMuchAreRefused) {
-  const std::string ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
-                          "element face 1\nproperty list uchar int vertex_index\nend_header\n0 0 0\n1 0 0\n0 1 0\n";
-  const TemporaryFile whole("whole.ply", ply + "3 0 1 2\n"), cut("cut.ply", ply), headless("headless.ply", ply.substr(0, 60));
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 1\nproperty list uchar int vertex_index\nend_header\n0 0 0\n1 0 0\n0 1 0\n";
+  const TemporaryFile whole("whole.ply", ply + "3 0 1 2\n"), cut("cut.ply", ply),
+      headless("headless.ply", ply.substr(0, 60));
   EXPECT_EQ(load_scene(whole.path()).framing.size(), 3u);
   expect_in("announces 4 elements, but only 3 lines follow", refusal([&] { load_scene(cut.path()); }));
   expect_in("the header has no end", refusal([&] { load_scene(headless.path()); }));
