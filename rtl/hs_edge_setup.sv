@@ -50,8 +50,6 @@ module hs_edge_setup #(
   localparam int unsigned DepthBits = hs_formats_pkg::DepthBits;
   localparam int unsigned ColourBits = hs_formats_pkg::ColourBits;
   localparam int unsigned SubpixelBits = hs_formats_pkg::SubpixelBits;
-  localparam int unsigned XBits = hs_formats_pkg::XBits;
-  localparam int unsigned YBits = hs_formats_pkg::YBits;
   localparam int unsigned Centre = SubpixelBits - 1;
 
   // Order: which vertex is first. Cross: the products of D. Send: D to hs_reciprocal. Take: the
@@ -76,6 +74,7 @@ module hs_edge_setup #(
   } vertex_t;
   vertex_t in0, in1, in2, v0, v1, v2;
   logic [2*CoordBits-1:0] key0, key1, key2;
+  hs_formats_pkg::coord_t x0, y0, x1, y1, x2, y2;
   hs_formats_pkg::delta_t dx1, dy1, dx2, dy2;
 
   assign in0 = {triangle_i.x0, triangle_i.y0, triangle_i.depth0,
@@ -104,10 +103,17 @@ module hs_edge_setup #(
     endcase
   end
 
-  assign dx1 = DeltaBits'(v1.x) - DeltaBits'(v0.x);
-  assign dy1 = DeltaBits'(v1.y) - DeltaBits'(v0.y);
-  assign dx2 = DeltaBits'(v2.x) - DeltaBits'(v0.x);
-  assign dy2 = DeltaBits'(v2.y) - DeltaBits'(v0.y);
+  // Variables of their own: Yosys 0.23 forgets the sign of a field of a struct.
+  assign x0 = v0.x;
+  assign y0 = v0.y;
+  assign x1 = v1.x;
+  assign y1 = v1.y;
+  assign x2 = v2.x;
+  assign y2 = v2.y;
+  assign dx1 = DeltaBits'(x1) - DeltaBits'(x0);
+  assign dy1 = DeltaBits'(y1) - DeltaBits'(y0);
+  assign dx2 = DeltaBits'(x2) - DeltaBits'(x0);
+  assign dy2 = DeltaBits'(y2) - DeltaBits'(y0);
 
   hs_formats_pkg::x_t x_first, x_last, x_start, x_first_q, x_last_q, x_start_q;
   hs_formats_pkg::y_t y_first, y_last, y_first_q, y_last_q;
@@ -116,12 +122,12 @@ module hs_edge_setup #(
     .clk_i         (clk_i),
     .frame_width_i (frame_width_i),
     .frame_height_i(frame_height_i),
-    .x0_i          (v0.x),
-    .y0_i          (v0.y),
-    .x1_i          (v1.x),
-    .y1_i          (v1.y),
-    .x2_i          (v2.x),
-    .y2_i          (v2.y),
+    .x0_i          (x0),
+    .y0_i          (y0),
+    .x1_i          (x1),
+    .y1_i          (y1),
+    .x2_i          (x2),
+    .y2_i          (y2),
     .before_10_i   (dx1[DeltaBits-1]),
     .before_20_i   (dx2[DeltaBits-1]),
     .outside_o     (outside),
@@ -282,8 +288,8 @@ module hs_edge_setup #(
       empty_q <= take_empty;
       last_q <= triangle_i.last;
       index_q <= triangle_i.index;
-      x0_q <= v0.x;
-      y0_q <= v0.y;
+      x0_q <= x0;
+      y0_q <= y0;
       v0_q <= v0.values;
       v1_q <= v1.values;
       v2_q <= v2.values;
@@ -304,9 +310,9 @@ module hs_edge_setup #(
 
   // The start is the centre of the first pixel of its stamp.
   assign x_o = DeltaBits'(x0_q)
-               - $signed(DeltaBits'({x_start_q & ~XBits'(LanesX - 1), 1'b1, {Centre{1'b0}}}));
+               - $signed(DeltaBits'({setup_o.x_start << $clog2(LanesX), 1'b1, {Centre{1'b0}}}));
   assign y_o = DeltaBits'(y0_q)
-               - $signed(DeltaBits'({y_first_q & ~YBits'(LanesY - 1), 1'b1, {Centre{1'b0}}}));
+               - $signed(DeltaBits'({setup_o.y_min << $clog2(LanesY), 1'b1, {Centre{1'b0}}}));
   assign edge_valid_o = valid_q && done_q;
   assign depth0_o = v0_q.depth;
   assign depth1_o = v1_q.depth;

@@ -30,8 +30,11 @@ module hs_shade_setup (
   // --- In: a colour after the other ---
   logic job_ready;
   hs_formats_pkg::colour_t v0, v1, v2;
+  hs_formats_pkg::coord_t x0, y0;
   hs_formats_pkg::delta_t centre;
 
+  assign x0 = attributes_i.x;
+  assign y0 = attributes_i.y;
   assign centre = DeltaBits'(1) << (hs_formats_pkg::SubpixelBits - 1);
   assign attributes_ready_o = job_ready && in_q == Blue;
 
@@ -100,8 +103,8 @@ module hs_shade_setup (
     .dy2_i       (attributes_i.dy2),
     .shift_i     (attributes_i.shift),
     .reciprocal_i(attributes_i.reciprocal),
-    .x_i         (DeltaBits'(attributes_i.x) - centre),
-    .y_i         (DeltaBits'(attributes_i.y) - centre),
+    .x_i         (DeltaBits'(x0) - centre),
+    .y_i         (DeltaBits'(y0) - centre),
     .valid_o     (plane_valid),
     .ready_i     (plane_ready),
     .start_o     (start),
