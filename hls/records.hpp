@@ -3,7 +3,8 @@
 //
 // visit() names the fields once, in the order of a SystemVerilog packed struct: the first is the most significant.
 // Packing, manifests, the RTL package and the reports of mismatches all read the layout from there. Fields that
-// come once a lane stand last, lane 0 in the least significant place.
+// come once a lane stand last in the word, lane 0 in the least significant place, and first in memory, where a processor's
+// vectors find them aligned.
 #ifndef HALFSPACE_HLS_RECORDS_HPP_
 #define HALFSPACE_HLS_RECORDS_HPP_
 
@@ -124,13 +125,13 @@ struct Planes {
 template <class F>
 struct Stamp {
   static constexpr const char* kStream = "stamp";
+  Bit mask[F::kLanes];
+  typename F::Depth depth[F::kLanes];  // of the plane, also where the mask is 0 and it means nothing
   Bit last;           // of the frame
   Bit triangle_last;  // of the triangle
   typename F::Index index;
   typename F::X x;  // in stamps
   typename F::Y y;
-  Bit mask[F::kLanes];
-  typename F::Depth depth[F::kLanes];  // of the plane, also where the mask is 0 and it means nothing
 
   template <class V>
   void visit(V&& v) {
@@ -143,11 +144,11 @@ struct Stamp {
 template <class F>
 struct Update {
   static constexpr const char* kStream = "update";
+  Bit mask[F::kLanes];  // lanes that passed
+  typename F::Depth depth[F::kLanes];
   typename F::Index index;
   typename F::X x;  // in stamps
   typename F::Y y;
-  Bit mask[F::kLanes];  // lanes that passed
-  typename F::Depth depth[F::kLanes];
 
   template <class V>
   void visit(V&& v) {
@@ -174,10 +175,10 @@ struct Visible {
 template <class F>
 struct Scan {
   static constexpr const char* kStream = "scan";
+  typename F::Index index[F::kLanes];  // lanes outside the frame: 0
   Bit last;
   typename F::X x;  // in stamps
   typename F::Y y;
-  typename F::Index index[F::kLanes];  // lanes outside the frame: 0
 
   template <class V>
   void visit(V&& v) {
@@ -190,10 +191,10 @@ struct Scan {
 template <class F>
 struct Pixel {
   static constexpr const char* kStream = "pixel";
+  typename F::Colour r[F::kLanes], g[F::kLanes], b[F::kLanes];
   Bit last;
   typename F::X x;  // in stamps
   typename F::Y y;
-  typename F::Colour r[F::kLanes], g[F::kLanes], b[F::kLanes];
 
   template <class V>
   void visit(V&& v) {

@@ -23,20 +23,21 @@ bool store_planes(Stream<Planes<F>>& planes, ShadingDatabase<F>& database) {
 // The colours of one plane in the lanes that `shade` names, from pixel (x, y) on.
 template <class F>
 void shade_lanes(const typename F::ColourPlane& origin, const typename F::ColourGradient& dx,
-                 const typename F::ColourGradient& dy, int x, int y, const bool (&shade)[F::kLanes],
+                 const typename F::ColourGradient& dy, int x, int y, const Bit (&shade)[F::kLanes],
                  typename F::Colour (&colour)[F::kLanes]) {
   using Plane = typename F::ColourPlane;
   const Plane along_x = dx * from_raw<typename F::X>(x);
   const Plane along_y = dy * from_raw<typename F::Y>(y);
   const Plane start_x = origin + along_x;
   const Plane start = start_x + along_y;
+  // Unsigned: the planes wrap, and so may these.
+  using Word = typename Plane::Carrier;
 Lanes:
   for (int l = 0; l < F::kLanes; ++l) {
     HS_UNROLL
-    const std::int64_t step = std::int64_t(raw(dx)) * (l % F::kLanesX) + std::int64_t(raw(dy)) * (l / F::kLanesX);
-    const Plane value = start + from_raw<Plane>(step);
-    const typename F::Colour rounded = value;
-    colour[l] = shade[l] ? rounded : colour[l];
+    const Word step = Word(raw(dx)) * Word(l % F::kLanesX) + Word(raw(dy)) * Word(l / F::kLanesX);
+    const typename F::Colour rounded = from_raw<Plane>(raw(start) + step);
+    colour[l] = from_raw<typename F::Colour>(raw(shade[l]) ? raw(rounded) : raw(colour[l]));
   }
 }
 
@@ -49,14 +50,14 @@ void shade_gouraud(const Frame<F>& frame, Stream<Scan<F>>& scan, const ShadingDa
   out.last = in.last;
   out.x = in.x;
   out.y = in.y;
-  bool waits[F::kLanes];
+  Bit waits[F::kLanes];
 Background:
   for (int l = 0; l < F::kLanes; ++l) {
     HS_UNROLL
-    waits[l] = raw(in.index[l]) != 0;
-    out.r[l] = frame.r;
-    out.g[l] = frame.g;
-    out.b[l] = frame.b;
+    waits[l] = from_raw<Bit>(raw(in.index[l]) != 0);
+    out.r[l] = from_raw<typename F::Colour>(raw(frame.r));
+    out.g[l] = from_raw<typename F::Colour>(raw(frame.g));
+    out.b[l] = from_raw<typename F::Colour>(raw(frame.b));
   }
 Triangles:
   for (int n = 0; n < F::kLanes; ++n) {
@@ -65,15 +66,15 @@ Triangles:
   Pick:
     for (int l = F::kLanes - 1; l >= 0; --l) {
       HS_UNROLL
-      index = waits[l] ? int(raw(in.index[l])) : index;
+      index = raw(waits[l]) ? int(raw(in.index[l])) : index;
     }
     if (index == 0) break;
-    bool shade[F::kLanes];
+    Bit shade[F::kLanes];
   Match:
     for (int l = 0; l < F::kLanes; ++l) {
       HS_UNROLL
-      shade[l] = int(raw(in.index[l])) == index;
-      waits[l] = waits[l] && !shade[l];
+      shade[l] = from_raw<Bit>(int(raw(in.index[l])) == index);
+      waits[l] = from_raw<Bit>(raw(waits[l]) & ~raw(shade[l]));
     }
     const Planes<F>& planes = database.planes[index - 1];
     shade_lanes<F>(planes.r, planes.r_dx, planes.r_dy, x, y, shade, out.r);

@@ -18,7 +18,7 @@ template <class F>
 void ztest_index(Stream<Stamp<F>>& stamp, IndexBuffer<F>& index_buffer, DepthBuffer<F>& depth_buffer,
                  Probe<Update<F>>& update, Stream<Visible<F>>& visible) {
   using Depth = typename F::Depth;
-  const Depth farthest = from_raw<Depth>((std::int64_t(1) << F::kDepthBits) - 1);
+  const typename Depth::Carrier farthest = raw(from_raw<Depth>((std::int64_t(1) << F::kDepthBits) - 1));
   bool any_of_triangle = false;
   bool done = false;
 Stamps:
@@ -33,18 +33,20 @@ Stamps:
     out.index = in.index;
     out.x = in.x;
     out.y = in.y;
-    unsigned any = 0;
+    typename Bit::Carrier any = 0;
   Lanes:
     for (int l = 0; l < F::kLanes; ++l) {
       HS_UNROLL
-      const bool nothing = raw(stored_index[l]) == 0;
-      const Depth old = nothing ? farthest : stored_depth[l];
-      const unsigned pass = unsigned(raw(in.mask[l])) & unsigned(in.depth[l] < old);
+      const auto index = raw(stored_index[l]);
+      const auto stored = raw(stored_depth[l]);
+      const auto depth = raw(in.depth[l]);
+      const auto limit = index == 0 ? farthest : stored;
+      const typename Bit::Carrier pass = raw(in.mask[l]) & typename Bit::Carrier(depth < limit);
       any |= pass;
       out.mask[l] = from_raw<Bit>(pass);
-      out.depth[l] = in.depth[l];
-      stored_index[l] = pass ? in.index : stored_index[l];
-      stored_depth[l] = pass ? in.depth[l] : stored_depth[l];
+      out.depth[l] = from_raw<Depth>(depth);
+      stored_index[l] = from_raw<typename F::Index>(pass ? raw(in.index) : index);
+      stored_depth[l] = from_raw<Depth>(pass ? depth : stored);
     }
     if (any) update.write(out);
     any_of_triangle = any_of_triangle || any;

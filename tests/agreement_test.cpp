@@ -58,9 +58,9 @@ TEST(Agreement, OfEveryBuiltInScene) {
 
 TEST(Agreement, OfSceneFiles) {
   const std::string models = HALFSPACE_TESTMODELS;
-  for (const char* file : {"/OBJ/spider.obj", "/glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb"}) {
-    expect_scene(models + file, "middle", 640, 480);
-  }
+  expect_scene(models + "/OBJ/spider.obj", "middle", 640, 480);
+  // 54,840 triangles face the viewer: more than middle takes.
+  expect_scene(models + "/glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb", "high", 640, 480);
 }
 
 // The corner cases and random frames: depths are random here, so that many triangles meet.

@@ -35,7 +35,11 @@ void count(benchmark::State& state, const ref::SnappedList& scene) {
 void kernels(benchmark::State& state, const char* name, int lanes) {
   const ref::SnappedList& scene = scene_of(name);
   const auto engine = vectors::make_engine("middle", lanes);
-  for (auto _ : state) benchmark::DoNotOptimize(engine->render(scene).colour.data());
+  std::vector<std::array<std::uint8_t, 4>> colour;
+  for (auto _ : state) {
+    engine->render_colour(scene, colour);
+    benchmark::DoNotOptimize(colour.data());
+  }
   count(state, scene);
 }
 

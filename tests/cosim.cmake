@@ -18,9 +18,8 @@ foreach(pair IN ITEMS low-4 middle-1 middle-4 middle-16 high-4)
 endforeach()
 halfspace_cosim(middle 4 teapot NAME _stalls STALL 30 SEEDS 10 VECTORS --no-corners --size 320x240)
 halfspace_cosim(middle 4 castle NAME _stalls STALL 30 SEEDS 10 VECTORS --no-corners --size 320x240)
-foreach(file IN ITEMS OBJ/spider.obj glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb
-                      glTF2/BoxTextured-glTF/BoxTextured.gltf)
-  if(EXISTS ${HALFSPACE_TESTMODELS}/${file})
-    halfspace_cosim(middle 4 ${HALFSPACE_TESTMODELS}/${file} STALL 10 SEEDS 2 VECTORS --no-corners)
-  endif()
-endforeach()
+halfspace_cosim(middle 4 ${HALFSPACE_TESTMODELS}/OBJ/spider.obj STALL 10 SEEDS 2 VECTORS --no-corners)
+halfspace_cosim(high 4 ${HALFSPACE_TESTMODELS}/glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb STALL 0 SEEDS 1
+                VECTORS --no-corners --size 640x480)
+halfspace_cosim(middle 4 ${HALFSPACE_TESTMODELS}/Collada/box_nested_animation.dae STALL 10 SEEDS 1
+                VECTORS --no-corners --time 1.5)

@@ -14,7 +14,7 @@ void shade_setup_top(const std::int64_t*, std::int64_t*);
 int raster_pineda_top(int, int, const std::int64_t*, std::int64_t*);
 void ztest_index_top(int, const std::int64_t*, halfspace::IndexBuffer<halfspace::TopFormats>*,
                      halfspace::DepthBuffer<halfspace::TopFormats>*, std::int64_t*);
-int scan_index_top(int, int, halfspace::IndexBuffer<halfspace::TopFormats>*, std::int64_t*);
+int scan_index_top(int, int, int, halfspace::IndexBuffer<halfspace::TopFormats>*, std::int64_t*);
 void shade_gouraud_top(int, const std::int64_t*, const halfspace::ShadingDatabase<halfspace::TopFormats>*, std::int64_t*);
 }
 
@@ -33,7 +33,7 @@ int field_count() {
 
 TEST(Tops, HaveRoomForEveryField) {
   EXPECT_EQ(field_count<Triangle<F>>(), kTriangleFields);
-  EXPECT_EQ(field_count<Setup<F>>(), kSetupFields);
+  EXPECT_EQ(field_count<halfspace::Setup<F>>(), kSetupFields);
   EXPECT_EQ(field_count<Attributes<F>>(), kAttributesFields);
   EXPECT_EQ(field_count<Planes<F>>(), kPlanesFields);
   EXPECT_EQ(field_count<Visible<F>>(), kVisibleFields);
@@ -48,7 +48,7 @@ TEST(Tops, RenderTheStandardFrames) {
   std::vector<vectors::NamedFrame> frames = vectors::corner_frames(format);
   for (auto& frame : vectors::random_frames(format, 3, 3, 30)) frames.push_back(std::move(frame));
   auto buffers = std::make_unique<Buffers<F>>();
-  std::vector<std::int64_t> stamps(std::size_t(F::kStamps) * kStampFields), scans(std::size_t(F::kStamps) * kScanFields);
+  std::vector<std::int64_t> stamps(std::size_t(F::kStamps) * kStampFields), scans(std::size_t(F::kStampsX) * kScanFields);
   std::size_t covered = 0;
   for (const vectors::NamedFrame& named : frames) {
     const ref::SnappedList& scene = named.scene;
@@ -72,8 +72,9 @@ TEST(Tops, RenderTheStandardFrames) {
       EXPECT_EQ(visible[1] != 0, expected.visible[k]);
     }
     const int background = scene.background[0] << 16 | scene.background[1] << 8 | scene.background[2];
-    const int count = scan_index_top(scene.width, scene.height, &buffers->index, scans.data());
-    for (int n = 0; n < count; ++n) {
+    for (int n = 0, count = 0, y = 0; y * F::kLanesY < scene.height; ++n) {
+      if (n == count) n = 0, count = scan_index_top(scene.width, scene.height, y, &buffers->index, scans.data());
+      if (n + 1 == count) ++y;
       std::int64_t pixel[kPixelFields];
       shade_gouraud_top(background, &scans[std::size_t(n) * kScanFields], &buffers->shading, pixel);
       for (int l = 0; l < F::kLanes; ++l) {

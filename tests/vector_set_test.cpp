@@ -90,7 +90,9 @@ TEST_P(VectorSet, ComparisonSeesASingleDigit) {
   std::ofstream(folder_ / "b" / "stamp.hex") << text;
   for (const vectors::Difference& d : vectors::compare_folders((folder_ / "a").string(), (folder_ / "b").string())) {
     EXPECT_EQ(d.different, d.part == "stamp" ? 1u : 0u) << d.part;
-    if (d.part == "stamp") EXPECT_NE(d.first.find("word " + std::to_string(d.values - 1)), std::string::npos) << d.first;
+    if (d.part == "stamp") {
+      EXPECT_NE(d.first.find("word " + std::to_string(d.values - 1)), std::string::npos) << d.first;
+    }
   }
 }
 

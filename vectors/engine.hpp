@@ -40,6 +40,8 @@ class Engine {
 
   // Renders with the kernels. exact_depth and exact_colour stay empty.
   virtual ref::Frame render(const ref::SnappedList& scene) = 0;
+  // The picture alone.
+  virtual void render_colour(const ref::SnappedList& scene, std::vector<std::array<std::uint8_t, 4>>& colour) = 0;
   // The same frame, each stream told to `sink` once, in flow order.
   virtual void capture(const ref::SnappedList& scene, const WordSink& sink) = 0;
 };

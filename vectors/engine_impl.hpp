@@ -65,21 +65,18 @@ class KernelEngine : public Engine {
   }
 
   ref::Frame render(const ref::SnappedList& scene) override {
-    ref::Frame frame = blank(scene);
-    draw(scene, frame);
-    const Frame<F> registers = frame_registers(scene);
-    pipeline_scan(registers, *streams_, *buffers_);
-    while (!streams_->pixel.empty()) {
-      const Pixel<F> in = streams_->pixel.read();
-      for (int l = 0; l < F::kLanes; ++l) {
-        const int x = int(raw(in.x)) * F::kLanesX + l % F::kLanesX;
-        const int y = int(raw(in.y)) * F::kLanesY + l / F::kLanesX;
-        if (x >= scene.width || y >= scene.height) continue;
-        frame.colour[std::size_t(y) * scene.width + x] = {std::uint8_t(raw(in.r[l])), std::uint8_t(raw(in.g[l])),
-                                                          std::uint8_t(raw(in.b[l])), 255};
-      }
-    }
+    ref::Frame frame;
+    frame.width = scene.width;
+    frame.height = scene.height;
+    draw(scene, &frame.visible);
+    copy_buffers(scene, frame);
+    scan(scene, frame.colour);
     return frame;
+  }
+
+  void render_colour(const ref::SnappedList& scene, std::vector<std::array<std::uint8_t, 4>>& colour) override {
+    draw(scene, nullptr);
+    scan(scene, colour);
   }
 
   void capture(const ref::SnappedList& scene, const WordSink& sink) override {
@@ -117,18 +114,6 @@ class KernelEngine : public Engine {
     sink(words_layout, words.data(), words.size());
   }
 
-  static ref::Frame blank(const ref::SnappedList& scene) {
-    const std::size_t pixels = std::size_t(scene.width) * scene.height;
-    ref::Frame frame;
-    frame.width = scene.width;
-    frame.height = scene.height;
-    frame.index.resize(pixels);
-    frame.depth.resize(pixels);
-    frame.colour.resize(pixels);
-    frame.visible.resize(scene.triangles.size());
-    return frame;
-  }
-
   static Frame<F> frame_registers(const ref::SnappedList& scene) {
     Frame<F> registers;
     registers.width = from_raw<typename F::X>(scene.width);
@@ -139,8 +124,9 @@ class KernelEngine : public Engine {
     return registers;
   }
 
-  // Draws all triangles, then copies I-buffer, Z-buffer and the visible flags, before the scan-out clears them.
-  void draw(const ref::SnappedList& scene, ref::Frame& frame) {
+  // Draws all triangles into the buffers.
+  void draw(const ref::SnappedList& scene, std::vector<bool>* visible) {
+    if (visible) visible->resize(scene.triangles.size());
     const Frame<F> registers = frame_registers(scene);
     const std::size_t count = scene.triangles.size();
     for (std::size_t k = 0; k < std::max<std::size_t>(count, 1); ++k) {
@@ -161,8 +147,14 @@ class KernelEngine : public Engine {
       streams_->triangle.write(t);
       pipeline_triangle(registers, *streams_, *buffers_);
       const Visible<F> done = streams_->visible.read();
-      if (k < count) frame.visible[k] = raw(done.visible) != 0;
+      if (visible && k < count) (*visible)[k] = raw(done.visible) != 0;
     }
+  }
+
+  // I-buffer and Z-buffer, before the scan-out clears them.
+  void copy_buffers(const ref::SnappedList& scene, ref::Frame& frame) const {
+    frame.index.resize(std::size_t(scene.width) * scene.height);
+    frame.depth.resize(frame.index.size());
     const std::uint32_t farthest = (std::uint64_t(1) << F::kDepthBits) - 1;
     for (int y = 0; y < scene.height; ++y) {
       for (int x = 0; x < scene.width; ++x) {
@@ -172,6 +164,26 @@ class KernelEngine : public Engine {
         frame.index[std::size_t(y) * scene.width + x] = index;
         frame.depth[std::size_t(y) * scene.width + x] =
             index == 0 ? farthest : std::uint32_t(raw(buffers_->depth.depth[address][lane]));
+      }
+    }
+  }
+
+  // Scans the frame out and clears the I-buffer.
+  void scan(const ref::SnappedList& scene, std::vector<std::array<std::uint8_t, 4>>& colour) {
+    colour.resize(std::size_t(scene.width) * scene.height);
+    const Frame<F> registers = frame_registers(scene);
+    for (int stamp_y = 0; stamp_y * F::kLanesY < scene.height; ++stamp_y) {
+      pipeline_scan(registers, stamp_y, *streams_, *buffers_);
+      while (!streams_->pixel.empty()) {
+        const Pixel<F> in = streams_->pixel.read();
+        const int x = int(raw(in.x)) * F::kLanesX, y = int(raw(in.y)) * F::kLanesY;
+        for (int j = 0; j < std::min(F::kLanesY, scene.height - y); ++j) {
+          auto* row = &colour[std::size_t(y + j) * scene.width + x];
+          for (int i = 0; i < std::min(F::kLanesX, scene.width - x); ++i) {
+            const int l = j * F::kLanesX + i;
+            row[i] = {std::uint8_t(raw(in.r[l])), std::uint8_t(raw(in.g[l])), std::uint8_t(raw(in.b[l])), 255};
+          }
+        }
       }
     }
   }
