@@ -15,6 +15,15 @@
 namespace halfspace::cli {
 namespace {
 
+// snap() knows a list, and not where it came from.
+ref::SnappedList snap_scene(const std::string& name, const ref::TriangleList& list, const ref::RasterFormat& format) {
+  try {
+    return ref::snap(list, format, vectors::raster_formats());
+  } catch (const ref::Error& error) {
+    throw ref::Error(fmt::format("{}: {}", name, error.what()));
+  }
+}
+
 struct Size {
   int width = 0, height = 0;
 };
@@ -45,18 +54,18 @@ void add_scene_options(CLI::App* command, SceneInput& input) {
       ->required();
   command->add_option("--config", input.config,
                       "number formats: low (320x200), middle (640x480), high (1920x1080); default: middle, or high "
-                      "when the frame is larger");
+                      "when the scene does not fit");
   command->add_option("--size", input.size, "frame, WxH; default: the size in the file, or the configuration's own");
   command->add_option("--time", input.time, "seconds into the file's animation")->capture_default_str();
 }
 
 ref::SnappedList load_snapped(const SceneInput& input) {
-  const std::vector<ref::RasterFormat> formats = vectors::raster_formats();
   const bool is_tri = ref::is_tri_file(input.scene);
   Size size;
   if (!input.size.empty()) size = parse_size(input.size);
 
   ref::TriangleList list;
+  ref::Scene scene;
   if (is_tri) {
     list = ref::read_tri(input.scene);
     if (!input.size.empty() && (size.width != list.width || size.height != list.height)) {
@@ -65,26 +74,28 @@ ref::SnappedList load_snapped(const SceneInput& input) {
     }
     size = {list.width, list.height};
   }
-
-  std::string config = input.config;
-  if (config.empty()) {
-    const ref::RasterFormat middle = vectors::raster_format("middle");
-    config = size.width == 0 || fits(size, middle) ? "middle" : "high";
-  }
-  const ref::RasterFormat format = vectors::raster_format(config);
-  if (size.width == 0) size = {format.width, format.height};
-
+  const ref::RasterFormat first = vectors::raster_format(input.config.empty() ? "middle" : input.config);
+  if (size.width == 0) size = {first.width, first.height};
   if (!is_tri) {
-    if (!fits(size, format)) {  // before the work of reading a mesh
+    if (!input.config.empty() && !fits(size, first)) {  // before the work of reading a mesh
       ref::TriangleList empty;
       empty.width = size.width;
       empty.height = size.height;
-      return ref::snap(empty, format, formats);
+      return snap_scene(input.scene, empty, first);
     }
-    const ref::Scene scene = ref::load_scene(input.scene, input.time);
-    list = ref::project(scene, {size.width, size.height, format.range_bits, format.subpixel_bits});
+    scene = ref::load_scene(input.scene, input.time);
   }
-  return ref::snap(list, format, formats);
+  auto snapped = [&](const ref::RasterFormat& format) {
+    if (!is_tri) list = ref::project(scene, {size.width, size.height, format.range_bits, format.subpixel_bits});
+    return snap_scene(input.scene, list, format);
+  };
+  if (!input.config.empty()) return snapped(first);
+  // Not said: middle if the scene fits it.
+  try {
+    return snapped(first);
+  } catch (const ref::Error&) {
+    return snapped(vectors::raster_format("high"));
+  }
 }
 
 }  // namespace halfspace::cli

@@ -12,8 +12,8 @@ namespace halfspace::cli {
 
 struct SceneInput {
   std::string scene;   // built-in name, *.tri, or a mesh file
-  std::string config;  // empty: middle, or high when the frame does not fit middle
-  std::string size;    // "WxH"; empty: the file's size, or the configuration's
+  std::string config;  // empty: middle, or high when the scene does not fit middle
+  std::string size;    // "WxH"; empty: a *.tri's size, or the configuration's
   double time = 0;     // seconds into the file's animation
 };
 

@@ -62,13 +62,15 @@ Background:
 Triangles:
   for (int n = 0; n < F::kLanes; ++n) {
     HS_PIPELINE(1)
-    int index = 0;  // of the first lane that waits
+    int first = F::kLanes;  // lane that waits
   Pick:
-    for (int l = F::kLanes - 1; l >= 0; --l) {
+    for (int l = 0; l < F::kLanes; ++l) {
       HS_UNROLL
-      index = raw(waits[l]) ? int(raw(in.index[l])) : index;
+      const int lane = raw(waits[l]) ? l : F::kLanes;
+      first = lane < first ? lane : first;
     }
-    if (index == 0) break;
+    if (first == F::kLanes) break;
+    const int index = int(raw(in.index[first]));
     Bit shade[F::kLanes];
   Match:
     for (int l = 0; l < F::kLanes; ++l) {

@@ -116,7 +116,10 @@ void write_dump(const std::string& folder, const ref::SnappedList& scene, const 
   staged.write("depth.u32", bytes_of(frame.depth));
   staged.write("colour.rgba8", bytes_of(frame.colour));
   std::ostringstream triangles;
-  ref::write_tri(triangles, ref::unsnap(scene));
+  // Other tools read this file: a size and triangles, no line of ours for the background.
+  ref::TriangleList list = ref::unsnap(scene);
+  list.background = {0, 0, 0};
+  ref::write_tri(triangles, list);
   staged.write("triangles.tri", triangles.str());
   staged.commit();
 }
