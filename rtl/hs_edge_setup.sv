@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangle setup, first part, after order_vertices() and edge_start() of hls/triangle_setup.hpp:
-// the order of the vertices, D, the bounding box and the three edge functions, each of them
-// measured from vertex 0, where (x, y) is the way from the start to vertex 0:
+// Triangle setup, first part, after edge_start() of hls/triangle_setup.hpp: the order of the
+// vertices, D, the bounding box and the three edge functions, each of them measured from vertex 0,
+// where (x, y) is the way from the start to vertex 0:
 //
 //   D = dx1·dy2 − dy1·dx2
 //   E_i = (i = 1 ? D : 0) − e_dy_i·y − e_dx_i·x − (inclusive ? 0 : 1)
@@ -44,11 +44,8 @@ module hs_edge_setup #(
   output hs_formats_pkg::delta_t      x_o,
   output hs_formats_pkg::delta_t      y_o
 );
-  localparam int unsigned CoordBits = hs_formats_pkg::CoordBits;
   localparam int unsigned DeltaBits = hs_formats_pkg::DeltaBits;
   localparam int unsigned EdgeBits = hs_formats_pkg::EdgeBits;
-  localparam int unsigned DepthBits = hs_formats_pkg::DepthBits;
-  localparam int unsigned ColourBits = hs_formats_pkg::ColourBits;
   localparam int unsigned SubpixelBits = hs_formats_pkg::SubpixelBits;
   localparam int unsigned Centre = SubpixelBits - 1;
 
@@ -57,59 +54,28 @@ module hs_edge_setup #(
   typedef enum logic [2:0] {Order, Cross, Send, Take, Edges} state_e;
   state_e state_q;
   logic [2:0] step_q;
-  logic [1:0] first_q;
   logic swap_q, zero_q, outside, negative, zero, take, take_empty, free;
 
-  // --- Vertices in order: the topmost first, of these the leftmost; the others clockwise ---
-  typedef struct packed {
-    logic [DepthBits-1:0]  depth;
-    logic [ColourBits-1:0] r;
-    logic [ColourBits-1:0] g;
-    logic [ColourBits-1:0] b;
-  } values_t;
-  typedef struct packed {
-    logic signed [CoordBits-1:0] x;
-    logic signed [CoordBits-1:0] y;
-    values_t                     values;
-  } vertex_t;
-  vertex_t in0, in1, in2, v0, v1, v2;
-  logic [2*CoordBits-1:0] key0, key1, key2;
+  // --- Vertices in order ---
+  hs_formats_pkg::triangle_t ordered;
   hs_formats_pkg::coord_t x0, y0, x1, y1, x2, y2;
   hs_formats_pkg::delta_t dx1, dy1, dx2, dy2;
 
-  assign in0 = {triangle_i.x0, triangle_i.y0, triangle_i.depth0,
-                triangle_i.r0, triangle_i.g0, triangle_i.b0};
-  assign in1 = {triangle_i.x1, triangle_i.y1, triangle_i.depth1,
-                triangle_i.r1, triangle_i.g1, triangle_i.b1};
-  assign in2 = {triangle_i.x2, triangle_i.y2, triangle_i.depth2,
-                triangle_i.r2, triangle_i.g2, triangle_i.b2};
-
-  // y before x, as one number: with the sign turned around, positions count from 0.
-  assign key0 = {!in0.y[CoordBits-1], in0.y[CoordBits-2:0],
-                 !in0.x[CoordBits-1], in0.x[CoordBits-2:0]};
-  assign key1 = {!in1.y[CoordBits-1], in1.y[CoordBits-2:0],
-                 !in1.x[CoordBits-1], in1.x[CoordBits-2:0]};
-  assign key2 = {!in2.y[CoordBits-1], in2.y[CoordBits-2:0],
-                 !in2.x[CoordBits-1], in2.x[CoordBits-2:0]};
-
-  always_comb begin
-    unique case ({swap_q, first_q})
-      3'b001:  {v0, v1, v2} = {in1, in2, in0};
-      3'b010:  {v0, v1, v2} = {in2, in0, in1};
-      3'b100:  {v0, v1, v2} = {in0, in2, in1};
-      3'b101:  {v0, v1, v2} = {in1, in0, in2};
-      3'b110:  {v0, v1, v2} = {in2, in1, in0};
-      default: {v0, v1, v2} = {in0, in1, in2};
-    endcase
-  end
+  hs_vertex_order u_vertex_order (
+    .clk_i     (clk_i),
+    .look_i    (state_q == Order),
+    .swap_i    (swap_q),
+    .triangle_i(triangle_i),
+    .ordered_o (ordered)
+  );
 
   // Variables of their own: Yosys 0.23 forgets the sign of a field of a struct.
-  assign x0 = v0.x;
-  assign y0 = v0.y;
-  assign x1 = v1.x;
-  assign y1 = v1.y;
-  assign x2 = v2.x;
-  assign y2 = v2.y;
+  assign x0 = ordered.x0;
+  assign y0 = ordered.y0;
+  assign x1 = ordered.x1;
+  assign y1 = ordered.y1;
+  assign x2 = ordered.x2;
+  assign y2 = ordered.y2;
   assign dx1 = DeltaBits'(x1) - DeltaBits'(x0);
   assign dy1 = DeltaBits'(y1) - DeltaBits'(y0);
   assign dx2 = DeltaBits'(x2) - DeltaBits'(x0);
@@ -139,7 +105,7 @@ module hs_edge_setup #(
   );
 
   // --- Control ---
-  logic valid_q, empty_q, done_q;
+  logic valid_q, done_q;
 
   assign free = !valid_q || (edge_valid_o && edge_ready_i);
   assign take_empty = state_q == Cross || zero_q;
@@ -149,7 +115,6 @@ module hs_edge_setup #(
     if (!rst_ni) begin
       state_q <= Order;
       step_q <= 3'd0;
-      first_q <= 2'd0;
       swap_q <= 1'b0;
       zero_q <= 1'b0;
     end else begin
@@ -158,9 +123,6 @@ module hs_edge_setup #(
         Order: begin
           if (triangle_valid_i) state_q <= Cross;
           step_q <= 3'd0;
-          if (key2 < key0 && key2 < key1) first_q <= 2'd2;
-          else if (key1 < key0) first_q <= 2'd1;
-          else first_q <= 2'd0;
           swap_q <= 1'b0;
           zero_q <= 1'b0;
         end
@@ -257,9 +219,8 @@ module hs_edge_setup #(
   logic [2:0] ends, ends_q, ends_q2, ends_q3;  // Edge 1, 0, 2: as in hs_plane_setup
   hs_formats_pkg::edge_step_t e0_q, e1_q, e2_q;
   hs_formats_pkg::coord_t x0_q, y0_q;
-  values_t v0_q, v1_q, v2_q;
-  logic last_q;
-  hs_formats_pkg::index_t index_q;
+  hs_formats_pkg::attributes_t attributes_q;
+  hs_formats_pkg::depth_t depth0_q, depth1_q, depth2_q;
 
   always_comb begin
     ends = '0;
@@ -285,14 +246,24 @@ module hs_edge_setup #(
 
   always_ff @(posedge clk_i) begin
     if (take) begin
-      empty_q <= take_empty;
-      last_q <= triangle_i.last;
-      index_q <= triangle_i.index;
+      attributes_q <= '0;
+      attributes_q.last <= ordered.last;
+      attributes_q.empty <= take_empty;
+      attributes_q.index <= ordered.index;
+      attributes_q.r0 <= ordered.r0;
+      attributes_q.r1 <= ordered.r1;
+      attributes_q.r2 <= ordered.r2;
+      attributes_q.g0 <= ordered.g0;
+      attributes_q.g1 <= ordered.g1;
+      attributes_q.g2 <= ordered.g2;
+      attributes_q.b0 <= ordered.b0;
+      attributes_q.b1 <= ordered.b1;
+      attributes_q.b2 <= ordered.b2;
+      depth0_q <= ordered.depth0;
+      depth1_q <= ordered.depth1;
+      depth2_q <= ordered.depth2;
       x0_q <= x0;
       y0_q <= y0;
-      v0_q <= v0.values;
-      v1_q <= v1.values;
-      v2_q <= v2.values;
       dx1_q <= dx1;
       dy1_q <= dy1;
       dx2_q <= dx2;
@@ -314,15 +285,15 @@ module hs_edge_setup #(
   assign y_o = DeltaBits'(y0_q)
                - $signed(DeltaBits'({setup_o.y_min << $clog2(LanesY), 1'b1, {Centre{1'b0}}}));
   assign edge_valid_o = valid_q && done_q;
-  assign depth0_o = v0_q.depth;
-  assign depth1_o = v1_q.depth;
-  assign depth2_o = v2_q.depth;
+  assign depth0_o = depth0_q;
+  assign depth1_o = depth1_q;
+  assign depth2_o = depth2_q;
 
   always_comb begin
     setup_o = '0;
-    setup_o.last = last_q;
-    setup_o.empty = empty_q;
-    setup_o.index = index_q;
+    setup_o.last = attributes_q.last;
+    setup_o.empty = attributes_q.empty;
+    setup_o.index = attributes_q.index;
     setup_o.x_min = x_first_q >> $clog2(LanesX);
     setup_o.x_max = x_last_q >> $clog2(LanesX);
     setup_o.x_start = x_start_q >> $clog2(LanesX);
@@ -338,24 +309,12 @@ module hs_edge_setup #(
     setup_o.e1_dy = dx21;
     setup_o.e2_dy = -dx2_q;
 
-    attributes_o = '0;
-    attributes_o.last = last_q;
-    attributes_o.empty = empty_q;
-    attributes_o.index = index_q;
+    attributes_o = attributes_q;
     attributes_o.x = x0_q;
     attributes_o.y = y0_q;
     attributes_o.dx1 = dx1_q;
     attributes_o.dy1 = dy1_q;
     attributes_o.dx2 = dx2_q;
     attributes_o.dy2 = dy2_q;
-    attributes_o.r0 = v0_q.r;
-    attributes_o.r1 = v1_q.r;
-    attributes_o.r2 = v2_q.r;
-    attributes_o.g0 = v0_q.g;
-    attributes_o.g1 = v1_q.g;
-    attributes_o.g2 = v2_q.g;
-    attributes_o.b0 = v0_q.b;
-    attributes_o.b1 = v1_q.b;
-    attributes_o.b2 = v2_q.b;
   end
 endmodule

@@ -3,7 +3,7 @@
 // one hs_plane_setup, at the centre of pixel (0, 0).
 //
 // Interval: 3·(6 + 2·ReciprocalPasses) cycles, 24 in low and 30 in middle and high; 3 for an empty
-// record. Latency: 46 at most. Attributes are read where they stand and taken with the last product
+// record. Latency: 40 at most. Attributes are read where they stand and taken with the last product
 // that needs them: ready follows valid. Stall: all waits while planes offered are not taken.
 // Fields of an empty record are 0.
 module hs_shade_setup (

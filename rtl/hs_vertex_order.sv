@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// A triangle with its vertices in order, after order_vertices() of hls/triangle_setup.hpp: vertex 0
+// is the topmost, of these the leftmost; 1 and 2 follow as they came, or, with swap_i, the other way
+// around. `last` and `index` go through.
+//
+// look_i finds vertex 0 of the triangle of that cycle; ordered_o is right from the next one on, as
+// long as the triangle stands. No stall.
+module hs_vertex_order (
+  input  logic                      clk_i,
+  input  logic                      look_i,
+  input  logic                      swap_i,
+  input  hs_formats_pkg::triangle_t triangle_i,
+  output hs_formats_pkg::triangle_t ordered_o
+);
+  localparam int unsigned CoordBits = hs_formats_pkg::CoordBits;
+  localparam int unsigned KeyBits = 2 * CoordBits;
+  localparam int unsigned ValuesBits = hs_formats_pkg::DepthBits + 3 * hs_formats_pkg::ColourBits;
+  localparam int unsigned VertexBits = KeyBits + ValuesBits;
+
+  logic [VertexBits-1:0] in0, in1, in2, out0, out1, out2;
+  logic [KeyBits-1:0] sign, key0, key1, key2;
+  logic [1:0] first_q;
+
+  assign in0 = {triangle_i.y0, triangle_i.x0, triangle_i.depth0,
+                triangle_i.r0, triangle_i.g0, triangle_i.b0};
+  assign in1 = {triangle_i.y1, triangle_i.x1, triangle_i.depth1,
+                triangle_i.r1, triangle_i.g1, triangle_i.b1};
+  assign in2 = {triangle_i.y2, triangle_i.x2, triangle_i.depth2,
+                triangle_i.r2, triangle_i.g2, triangle_i.b2};
+
+  // y before x, as one number: with the sign turned around, positions count from 0.
+  assign sign = {2{1'b1, {(CoordBits - 1) {1'b0}}}};
+  assign key0 = in0[ValuesBits+:KeyBits] ^ sign;
+  assign key1 = in1[ValuesBits+:KeyBits] ^ sign;
+  assign key2 = in2[ValuesBits+:KeyBits] ^ sign;
+
+  always_ff @(posedge clk_i) begin
+    if (look_i) begin
+      if (key2 < key0 && key2 < key1) first_q <= 2'd2;
+      else if (key1 < key0) first_q <= 2'd1;
+      else first_q <= 2'd0;
+    end
+  end
+
+  always_comb begin
+    unique case ({swap_i, first_q})
+      3'b001:  {out0, out1, out2} = {in1, in2, in0};
+      3'b010:  {out0, out1, out2} = {in2, in0, in1};
+      3'b100:  {out0, out1, out2} = {in0, in2, in1};
+      3'b101:  {out0, out1, out2} = {in1, in0, in2};
+      3'b110:  {out0, out1, out2} = {in2, in1, in0};
+      default: {out0, out1, out2} = {in0, in1, in2};
+    endcase
+    ordered_o.last = triangle_i.last;
+    ordered_o.index = triangle_i.index;
+    {ordered_o.y0, ordered_o.x0, ordered_o.depth0, ordered_o.r0, ordered_o.g0, ordered_o.b0} = out0;
+    {ordered_o.y1, ordered_o.x1, ordered_o.depth1, ordered_o.r1, ordered_o.g1, ordered_o.b1} = out1;
+    {ordered_o.y2, ordered_o.x2, ordered_o.depth2, ordered_o.r2, ordered_o.g2, ordered_o.b2} = out2;
+  end
+endmodule
