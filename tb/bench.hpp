@@ -4,7 +4,9 @@
 #define HALFSPACE_TB_BENCH_HPP_
 
 #include <algorithm>
+#include <chrono>
 #include <cstdint>
+#include <ctime>
 #include <deque>
 #include <functional>
 #include <string>
@@ -34,12 +36,25 @@ struct Result {
   std::uint64_t cycles = 0;
   std::string cycles_of;  // what `cycles` measures
   std::uint64_t simulated = 0;
-  double seconds = 0;
+  double seconds = 0, processor_seconds = 0;
   Bound bound;
 
   std::size_t words() const;
   std::size_t mismatches() const;
   bool passed() const { return failures.empty(); }
+};
+
+// Wall and processor time since it was made; on a machine that others use the second one tells the model's speed.
+class Stopwatch {
+ public:
+  void stop(Result* result) const {
+    result->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    result->processor_seconds = double(std::clock() - clock_) / CLOCKS_PER_SEC;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::clock_t clock_ = std::clock();
 };
 
 class Bench {

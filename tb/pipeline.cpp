@@ -2,7 +2,6 @@
 #include "pipeline.hpp"
 
 #include <algorithm>
-#include <chrono>
 
 namespace halfspace::tb {
 namespace {
@@ -74,7 +73,7 @@ Result run_pipeline(Model* model, const Vectors& vectors, const Options& options
                 "/manifest.json: lacks one of the streams triangle, scan and pixel; make the set again");
   }
 
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch stopwatch;
   bench.reset();
   const std::vector<Turn> turns = turns_of(vectors, options.frames);
   const Stream& triangle = *vectors.find("triangle");
@@ -104,7 +103,7 @@ Result run_pipeline(Model* model, const Vectors& vectors, const Options& options
   Result result;
   result.unit = "pipeline";
   bench.finish(&result);
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  stopwatch.stop(&result);
   const int setup_interval = options.setup_interval ? options.setup_interval : model->constant("SetupInterval");
   result.bound = bound_of(vectors, setup_interval);
   const std::vector<std::uint64_t>& ends = pixel->end_cycles();

@@ -2,7 +2,6 @@
 #include "units.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cstring>
 #include <memory>
 
@@ -67,7 +66,7 @@ class UnitBench {
   }
 
   Result run() {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch stopwatch;
     bench_.reset();
     if (std::strcmp(unit_.name, "scan_index") == 0) {
       run_scan();
@@ -81,7 +80,7 @@ class UnitBench {
     result.cycles = cycles_;
     result.cycles_of = "all frames, first to last word, stalls included";
     bench_.finish(&result);
-    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    stopwatch.stop(&result);
     return result;
   }
 
