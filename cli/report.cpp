@@ -143,6 +143,7 @@ int report(const Options& options) {
   bool passed = rtl_equal && a.covered_differ == 0;
   for (const Json* json : {&cosim, &units}) passed = passed && (*json).value("passed", true);
   if (!rtl_equal) std::fprintf(stderr, "halfspace: the frame of the RTL differs from the frame of the kernels\n");
+  if (cosim.empty()) fmt::print("\nnothing of the RTL was compared: give --cosim\n");
   fmt::print("{}\n", passed ? "PASS" : "FAIL");
   return passed ? 0 : 1;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The colour planes of a triangle, for TdbS. The reciprocal is the one of the triangle setup.
+// Interval of the RTL: 24 cycles in low, 30 in middle and high; 3 for an empty record.
 #ifndef HALFSPACE_HLS_SHADE_SETUP_HPP_
 #define HALFSPACE_HLS_SHADE_SETUP_HPP_
 

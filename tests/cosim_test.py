@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Writes a vector set and runs a Verilated program on it under several stall seeds. Judges by what the reports count:
-every stream has words, none mismatches. Usage: cosim_test.py HALFSPACE PROGRAM FOLDER SCENE CONFIG LANES ..."""
+every stream has words, none mismatches.
+Usage: cosim_test.py HALFSPACE PROGRAM FOLDER SCENE CONFIG LANES [--stall P] [--seeds N] [-- options of `halfspace vectors`]"""
 import argparse
 import json
 import pathlib
@@ -21,13 +22,14 @@ def main():
         parser.add_argument(name)
     parser.add_argument("--stall", type=int, default=30)
     parser.add_argument("--seeds", type=int, default=1, help="run seeds 1 … N")
-    parser.add_argument("vectors", nargs="*", help="options of `halfspace vectors`")
-    args = parser.parse_args()
+    own = sys.argv[1:]
+    at = own.index("--") if "--" in own else len(own)
+    args = parser.parse_args(own[:at])
 
     folder = pathlib.Path(args.folder)
     shutil.rmtree(folder, ignore_errors=True)
     code, text = run([args.halfspace, "vectors", args.scene, "--config", args.config, "--lanes", args.lanes, "--out",
-                      str(folder), *args.vectors])
+                      str(folder), *own[at + 1:]])
     print(text, end="")
     if code:
         return code

@@ -93,6 +93,17 @@ std::vector<NamedFrame> corner_frames(const RasterFormat& format) {
     push("corner: six orders of the same vertices: the first wins every pixel", b);
   }
   {
+    auto b = builder(20, 30);
+    const std::array<int, 3> x = {2 * one + 1, 17 * one + 3, 9 * one}, y = {one + half, one + half, 5 * one};
+    const int order[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
+    for (int n = 0; n < 6; ++n) {
+      const auto& o = order[n];
+      const int down = 5 * one * n;
+      b.add({x[o[0]], x[o[1]], x[o[2]]}, {y[o[0]] + down, y[o[1]] + down, y[o[2]] + down});
+    }
+    push("corner: flat tops, in all six orders of the vertices", b);
+  }
+  {
     auto b = builder(24, 16);
     const std::uint32_t d = b.full_depth() / 3;
     b.add({0, 20 * one, 0}, {0, 0, 15 * one}, {d, d, d});
@@ -155,6 +166,16 @@ std::vector<NamedFrame> corner_frames(const RasterFormat& format) {
       b.add({3 * one * i + half - 1, 3 * one * i + half + i, 3 * one * i + half + 1}, {one, 31 * one, 16 * one});
     }
     push("corner: needles", b);
+  }
+  // One stamp over and over, frames of one to six triangles that follow at once: reads that meet writes on their way,
+  // of this frame and of the one before.
+  for (int n = 0; n < 24; ++n) {
+    auto b = builder(8, 8);
+    for (int i = 0; i <= n % 6; ++i) {
+      const std::uint32_t d = b.full_depth() / 8 * std::uint32_t(1 + (5 * i + n) % 7);
+      b.add({one, 3 * one, one}, {one, one, 3 * one}, {d, d + 1, d});
+    }
+    push("corner: tiny frames on one spot", b);
   }
   return frames;
 }
