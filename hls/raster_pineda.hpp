@@ -157,7 +157,10 @@ Walk:
     const bool near_0 = edge_near(at, steps, 0), near_1 = edge_near(at, steps, 1), near_2 = edge_near(at, steps, 2);
     bool row_done = false;
     if (near_0 && near_1 && near_2) {
-      Stamp<F> covered = found;
+      Stamp<F> covered;
+      covered.last = from_raw<Bit>(0);
+      covered.triangle_last = from_raw<Bit>(0);
+      covered.index = in.index;
       if (cover(frame, at, steps, covered)) {
         if (pending) stamp.write(found);
         found = covered;

@@ -3,6 +3,8 @@
 #ifndef HALFSPACE_VECTORS_ENGINE_IMPL_HPP_
 #define HALFSPACE_VECTORS_ENGINE_IMPL_HPP_
 
+#include <algorithm>
+#include <cstring>
 #include <memory>
 
 #include "hls/pipeline.hpp"
@@ -176,13 +178,16 @@ class KernelEngine : public Engine {
       pipeline_scan(registers, stamp_y, *streams_, *buffers_);
       while (!streams_->pixel.empty()) {
         const Pixel<F> in = streams_->pixel.read();
+        std::uint32_t rgba[F::kLanes];  // little endian: r first in memory
+        for (int l = 0; l < F::kLanes; ++l) {
+          rgba[l] = raw(in.r[l]) | raw(in.g[l]) << 8 | raw(in.b[l]) << 16 | 255u << 24;
+        }
         const int x = int(raw(in.x)) * F::kLanesX, y = int(raw(in.y)) * F::kLanesY;
-        for (int j = 0; j < std::min(F::kLanesY, scene.height - y); ++j) {
+        const int columns = scene.width - x, rows = std::min(F::kLanesY, scene.height - y);
+        for (int j = 0; j < rows; ++j) {
           auto* row = &colour[std::size_t(y + j) * scene.width + x];
-          for (int i = 0; i < std::min(F::kLanesX, scene.width - x); ++i) {
-            const int l = j * F::kLanesX + i;
-            row[i] = {std::uint8_t(raw(in.r[l])), std::uint8_t(raw(in.g[l])), std::uint8_t(raw(in.b[l])), 255};
-          }
+          if (columns >= F::kLanesX) std::memcpy(row, rgba + j * F::kLanesX, sizeof(*rgba) * F::kLanesX);
+          else std::memcpy(row, rgba + j * F::kLanesX, sizeof(*rgba) * columns);
         }
       }
     }
