@@ -62,6 +62,13 @@ struct Fixed {
   Carrier bits;
 
   Fixed() = default;
+  // Written out, so that a record is copied field by field: a processor that copies fields it has just written as one
+  // wide word waits for them to reach its cache.
+  constexpr Fixed(const Fixed& other) : bits(other.bits) {}
+  Fixed& operator=(const Fixed& other) {
+    bits = other.bits;
+    return *this;
+  }
 
   template <int W2, int I2, bool S2>
   constexpr Fixed(const Fixed<W2, I2, S2>& other) : bits(convert(other)) {}

@@ -38,12 +38,16 @@ void pipeline_triangle(const Frame<F>& frame, Streams<F>& streams, Buffers<F>& b
   ztest_index(streams.stamp, buffers.index, buffers.depth, streams.update, streams.visible);
 }
 
-// Row `y` of the stamps of the finished frame from the buffers into streams.pixel; rows are taken from the top.
+// Row `y` of the stamps of the finished frame from the I-buffer; rows are taken from the top.
 template <class F>
 void pipeline_scan(const Frame<F>& frame, int y, Streams<F>& streams, Buffers<F>& buffers) {
-  HS_DATAFLOW
   scan_index(frame, y, buffers.index, streams.scan);
-  while (!streams.scan.empty()) shade_gouraud(frame, streams.scan, buffers.shading, streams.pixel);
+}
+
+// One stamp of it into streams.pixel.
+template <class F>
+void pipeline_shade(const Frame<F>& frame, Streams<F>& streams, Buffers<F>& buffers) {
+  shade_gouraud(frame, streams.scan, buffers.shading, streams.pixel);
 }
 
 }  // namespace halfspace

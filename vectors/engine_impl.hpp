@@ -176,7 +176,8 @@ class KernelEngine : public Engine {
     const Frame<F> registers = frame_registers(scene);
     for (int stamp_y = 0; stamp_y * F::kLanesY < scene.height; ++stamp_y) {
       pipeline_scan(registers, stamp_y, *streams_, *buffers_);
-      while (!streams_->pixel.empty()) {
+      while (!streams_->scan.empty()) {
+        pipeline_shade(registers, *streams_, *buffers_);
         const Pixel<F> in = streams_->pixel.read();
         std::uint32_t rgba[F::kLanes];  // little endian: r first in memory
         for (int l = 0; l < F::kLanes; ++l) {
