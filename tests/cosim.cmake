@@ -23,3 +23,13 @@ halfspace_cosim(high 4 ${HALFSPACE_TESTMODELS}/glTF2/2CylinderEngine-glTF-Binary
                 VECTORS --no-corners --size 640x480)
 halfspace_cosim(middle 4 ${HALFSPACE_TESTMODELS}/Collada/box_nested_animation.dae STALL 10 SEEDS 1
                 VECTORS --no-corners --time 1.5)
+
+# Every configuration with every number of lanes, under ten seeds.
+foreach(config IN LISTS HALFSPACE_CONFIGS)
+  foreach(lanes IN LISTS HALFSPACE_LANES)
+    halfspace_cosim(${config} ${lanes} standard TOP units NAME _long STALL 35 SEEDS 10 LABEL long)
+    foreach(scene IN ITEMS teapot castle)
+      halfspace_cosim(${config} ${lanes} ${scene} NAME _long STALL 30 SEEDS 10 LABEL long VECTORS --no-corners)
+    endforeach()
+  endforeach()
+endforeach()
