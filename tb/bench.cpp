@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench.hpp"
 
+#include <cstdio>
+
 namespace halfspace::tb {
 
 std::size_t Result::words() const {
@@ -75,10 +77,20 @@ bool Bench::step() {
   return moved;
 }
 
+// A line on standard error every two seconds of a long run.
+void Bench::tell_progress() {
+  const auto now = std::chrono::steady_clock::now();
+  if (now - told_ < std::chrono::seconds(2)) return;
+  told_ = now;
+  const std::string unit = prefix_.empty() ? "pipeline" : prefix_.substr(0, prefix_.size() - 1);
+  std::fprintf(stderr, "%s: %.1f million cycles simulated\n", unit.c_str(), double(cycle_) * 1e-6);
+}
+
 bool Bench::run(const std::function<bool()>& done, std::uint64_t patience) {
   std::uint64_t waited = 0;
   while (!done()) {
     waited = step() ? 0 : waited + 1;
+    if (cycle_ % 65536 == 0) tell_progress();
     if (waited <= patience) continue;
     failures_.push_back("hang: no word moved for " + std::to_string(patience) + " cycles; " + waiting());
     return false;

@@ -82,6 +82,7 @@ class Bench {
 
  private:
   bool step();
+  void tell_progress();
   std::string waiting() const;
 
   Model* model_;
@@ -93,6 +94,7 @@ class Bench {
   std::deque<Receiver> receivers_;
   std::vector<std::string> failures_;
   std::uint64_t cycle_ = 0, first_move_ = 0;
+  std::chrono::steady_clock::time_point told_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace halfspace::tb
