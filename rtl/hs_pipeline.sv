@@ -18,7 +18,7 @@
 module hs_pipeline #(
   parameter int unsigned LanesX = 2,
   parameter int unsigned LanesY = 2,
-  parameter int unsigned SetupFifoDepth = 16,
+  parameter int unsigned SetupFifoDepth = 512,
   parameter int unsigned StampFifoDepth = 4,
   parameter int unsigned AttributesFifoDepth = 4,
   parameter int unsigned ScanFifoDepth = 4,
@@ -131,7 +131,9 @@ module hs_pipeline #(
   logic raster_setup_valid, raster_setup_ready;
   hs_formats_pkg::setup_t raster_setup;
 
-  hs_fifo #(
+  // Deep: runs of large triangles keep the rasterizer busy, runs of small ones the setup, and the
+  // queue lets each work through the other's run.
+  hs_fifo_block #(
     .Width($bits(setup_o)),
     .Depth(SetupFifoDepth)
   ) u_setup_fifo (

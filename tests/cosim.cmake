@@ -7,14 +7,15 @@ foreach(pair IN ITEMS low-4 middle-1 middle-16 high-4)
   halfspace_cosim(${config} ${lanes} standard TOP units STALL 35 SEEDS 10)
 endforeach()
 
-# The pipeline: corner cases and random frames under ten seeds, then whole frames.
+# The pipeline: corner cases and random frames under ten seeds, then whole frames without stalls, where the cycles of a
+# frame are held to 1.25 of what the units' rates allow.
 foreach(pair IN ITEMS low-4 middle-1 middle-4 middle-16 high-4)
   string(REPLACE "-" ";" pair ${pair})
   list(GET pair 0 config)
   list(GET pair 1 lanes)
   halfspace_cosim(${config} ${lanes} standard STALL 30 SEEDS 10)
-  halfspace_cosim(${config} ${lanes} teapot STALL 0 SEEDS 1 VECTORS --no-corners)
-  halfspace_cosim(${config} ${lanes} castle STALL 0 SEEDS 1 VECTORS --no-corners)
+  halfspace_cosim(${config} ${lanes} teapot STALL 0 SEEDS 1 BOUND 1.25 VECTORS --no-corners)
+  halfspace_cosim(${config} ${lanes} castle STALL 0 SEEDS 1 BOUND 1.25 VECTORS --no-corners)
 endforeach()
 halfspace_cosim(middle 4 teapot NAME _stalls STALL 30 SEEDS 10 VECTORS --no-corners --size 320x240)
 halfspace_cosim(middle 4 castle NAME _stalls STALL 30 SEEDS 10 VECTORS --no-corners --size 320x240)

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Writes a vector set and runs a Verilated program on it under several stall seeds. Judges by what the reports count:
 every stream has words, none mismatches.
-Usage: cosim_test.py HALFSPACE PROGRAM FOLDER SCENE CONFIG LANES [--stall P] [--seeds N] [-- options of `halfspace vectors`]"""
+Usage: cosim_test.py HALFSPACE PROGRAM FOLDER SCENE CONFIG LANES [--stall P] [--seeds N] [--bound X] [-- options of `halfspace vectors`]"""
 import argparse
 import json
 import pathlib
@@ -22,6 +22,7 @@ def main():
         parser.add_argument(name)
     parser.add_argument("--stall", type=int, default=30)
     parser.add_argument("--seeds", type=int, default=1, help="run seeds 1 … N")
+    parser.add_argument("--bound", type=float, default=0, help="cycles a frame at most, as a multiple of the bound")
     own = sys.argv[1:]
     at = own.index("--") if "--" in own else len(own)
     args = parser.parse_args(own[:at])
@@ -50,6 +51,10 @@ def main():
                 print(f"seed {seed}, {one['unit']}: streams {bad or 'none'} without words or with mismatches")
                 return 1
             words += one["words"]
+            bound = one.get("bound", {}).get("cycles", 0)
+            if args.bound and not 0 < one["cycles"] <= args.bound * bound:
+                print(f"{one['cycles']} cycles a frame, more than {args.bound} times the bound of {bound}")
+                return 1
         print(text.strip().splitlines()[-1] + f" (seed {seed})")
     print(f"{words} words equal under {args.seeds} seeds")
     shutil.rmtree(folder, ignore_errors=True)
