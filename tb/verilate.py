@@ -25,8 +25,10 @@ def verilate(args):
     out.mkdir(parents=True, exist_ok=True)
     for old in out.glob("Vmodel*"):
         old.unlink()
-    command = [args.verilator, "--cc", "--prefix", "Vmodel", "--Mdir", str(out), "--top-module", args.top,
-               f"-GLanesX={args.lanes_x}", f"-GLanesY={args.lanes_y}", *args.flag, args.package, *args.sources]
+    command = [args.verilator, "--cc", "--prefix", "Vmodel", "--Mdir", str(out), "--top-module", args.top, *args.flag]
+    if not args.netlist:  # which has no parameters any more
+        command += [f"-GLanesX={args.lanes_x}", f"-GLanesY={args.lanes_y}", args.package]
+    command += args.sources
     result = subprocess.run(command, capture_output=True, text=True)
     sys.stderr.write(result.stdout + result.stderr)
     return result.returncode
@@ -59,6 +61,7 @@ def main():
     parser.add_argument("--out", required=True, help="folder for the C++")
     parser.add_argument("--flag", action="append", default=[], help="a further flag of Verilator: --flag=-O3")
     parser.add_argument("--package", required=True, help="hs_formats_pkg.sv of the configuration")
+    parser.add_argument("--netlist", action="store_true", help="the source is a netlist: no parameters, no package")
     parser.add_argument("sources", nargs="+", help="waivers and SystemVerilog files")
     args = parser.parse_args()
     if code := verilate(args):

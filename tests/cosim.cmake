@@ -25,6 +25,11 @@ halfspace_cosim(high 4 ${HALFSPACE_TESTMODELS}/glTF2/2CylinderEngine-glTF-Binary
 halfspace_cosim(middle 4 ${HALFSPACE_TESTMODELS}/Collada/box_nested_animation.dae STALL 10 SEEDS 1
                 VECTORS --no-corners --time 1.5)
 
+# The netlist that Yosys makes of the pipeline.
+halfspace_cosim(low 1 standard TOP netlist STALL 30 SEEDS 1)
+halfspace_cosim(middle 4 standard TOP netlist STALL 30 SEEDS 1)
+halfspace_cosim(high 16 standard TOP netlist STALL 30 SEEDS 1)
+
 # Every configuration with every number of lanes, under ten seeds.
 foreach(config IN LISTS HALFSPACE_CONFIGS)
   foreach(lanes IN LISTS HALFSPACE_LANES)
