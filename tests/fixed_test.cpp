@@ -11,10 +11,10 @@ namespace {
 
 using Wide = __int128;
 
-// x · 2^64: an integer for every format there is.
+// x · 2^32: an integer for every format below.
 template <int W, int I, bool S>
 Wide scaled(const Fixed<W, I, S>& x) {
-  return Wide(raw(x)) << (32 - (W - I));
+  return Wide(raw(x)) * (Wide(1) << (32 - (W - I)));
 }
 
 Wide floor_wrap(Wide value, int width, int fraction, bool is_signed) {
