@@ -51,7 +51,7 @@ int main(int argc, char** argv) {
       "  halfspace render castle --engine ref --dump ref/              index, depth and colour of the reference\n"
       "  halfspace compare ref/ hls/                                   what differs, and where first\n"
       "  halfspace vectors teapot --config low --lanes 4 --out v/      vectors for a test bench of your own\n"
-      "halfspace COMMAND --help tells the options of a command.");
+      "halfspace COMMAND --help tells the options of a command.\n");
   int status = 0;
   halfspace::cli::add_render(app, status);
   halfspace::cli::add_vectors(app, status);

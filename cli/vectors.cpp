@@ -68,7 +68,7 @@ void add_vectors(CLI::App& app, int&) {
   CLI::App* command = app.add_subcommand("vectors", "write the words of every stream between two units");
   command->footer(
       "Annotated corner cases come first, then random frames, then the frame of SCENE; `standard` as SCENE stands\n"
-      "for the first two alone. Each stream is a text file that $readmemh reads; manifest.json tells the fields.");
+      "for the first two alone. Each stream is a text file that $readmemh reads; manifest.json tells the fields.\n");
   add_scene_options(command, options->input);
   command->add_option("--lanes", options->lanes, "pixels a stamp: 1, 2, 4, 8, 16")->capture_default_str();
   command->add_option("--out", options->out, "folder to write")->required();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The composition: which unit feeds which. Nothing else names two stages.
+// The composition: which unit feeds which. Nothing else names two stages. In hardware each unit is a process that runs on
+// its streams for ever (hls/top/ has their tops); natively a call takes one triangle, or one stamp, through all of them.
 #ifndef HALFSPACE_HLS_PIPELINE_HPP_
 #define HALFSPACE_HLS_PIPELINE_HPP_
 
@@ -28,7 +29,6 @@ struct Streams {
 // One triangle from streams.triangle into the buffers.
 template <class F>
 void pipeline_triangle(const Frame<F>& frame, Streams<F>& streams, Buffers<F>& buffers) {
-  HS_DATAFLOW
   triangle_setup(frame, streams.triangle, streams.setup, streams.attributes);
   if (!streams.attributes.empty()) {
     shade_setup(streams.attributes, streams.planes);

@@ -9,7 +9,6 @@
 #define HS_PRAGMA(x) _Pragma(#x)
 #define HS_PIPELINE(interval) HS_PRAGMA(HLS PIPELINE II = interval)
 #define HS_UNROLL HS_PRAGMA(HLS UNROLL)
-#define HS_DATAFLOW HS_PRAGMA(HLS DATAFLOW)
 namespace halfspace {
 template <class T>
 using Stream = hls::stream<T>;
@@ -24,7 +23,6 @@ struct Probe {
 #include <vector>
 #define HS_PIPELINE(interval)
 #define HS_UNROLL
-#define HS_DATAFLOW
 
 namespace halfspace {
 
