@@ -13,7 +13,8 @@ import sys
 
 def run(command):
     result = subprocess.run(command, capture_output=True, text=True, check=False)
-    return result.returncode, result.stdout + result.stderr
+    # A failure tells more on standard error; progress there is of no interest.
+    return result.returncode, result.stdout + (result.stderr if result.returncode else "")
 
 
 def main():
