@@ -4,7 +4,6 @@
 //   fix<W, I>, ufix<W, I>   W bits in all, I of them before the binary point; two's complement or unsigned.
 //   raw(x)                  the bits as an integer; the value is raw(x) · 2^(I − W)
 //   from_raw<T>(bits)       the inverse; bits beyond T's width are dropped
-//   shift_right<T>(x, n)    floor(x / 2^n) for a variable n >= 0, in format T
 //   + - * unary- compare    exact: the result is as wide as it has to be
 //   T(x), T y = x           quantization: truncate toward minus infinity; overflow: wrap. The only modes there are:
 //                           rounding is a half added beforehand, and no kernel saturates.
@@ -100,12 +99,6 @@ constexpr T from_raw(Int bits) {
   T x{};
   x.bits = fixed_detail::wrap<T::kWidth, T::kSigned>(bits);
   return x;
-}
-
-template <class T, int W, int I, bool S>
-constexpr T shift_right(const Fixed<W, I, S>& x, int n) {
-  T y = from_raw<Fixed<W, I, S>>(x.bits >> n);
-  return y;
 }
 
 namespace fixed_detail {
