@@ -58,6 +58,10 @@ struct Fixed {
   static constexpr bool kSigned = S;
   using Carrier = fixed_detail::Carrier<W, S>;
 
+  // For kernels, whose formats may be chosen at run time in a simulation.
+  static constexpr int width() { return W; }
+  static constexpr int fraction() { return W - I; }
+
   Carrier bits;
 
   Fixed() = default;
@@ -71,6 +75,13 @@ struct Fixed {
 
   template <int W2, int I2, bool S2>
   constexpr Fixed(const Fixed<W2, I2, S2>& other) : bits(convert(other)) {}
+
+  template <class Int>
+  static constexpr Fixed from_bits(Int bits) {
+    Fixed x{};
+    x.bits = fixed_detail::wrap<W, S>(bits);
+    return x;
+  }
 
  private:
   template <int W2, int I2, bool S2>
@@ -96,9 +107,7 @@ constexpr typename Fixed<W, I, S>::Carrier raw(const Fixed<W, I, S>& x) {
 
 template <class T, class Int>
 constexpr T from_raw(Int bits) {
-  T x{};
-  x.bits = fixed_detail::wrap<T::kWidth, T::kSigned>(bits);
-  return x;
+  return T::from_bits(bits);
 }
 
 namespace fixed_detail {

@@ -1,38 +1,77 @@
 // SPDX-License-Identifier: Apache-2.0
 // The format table: every width of every number is derived here, once, from the few numbers of a Config.
-// The SystemVerilog package, the manifests of the vectors and the documentation are printed from it.
+// The kernels, the SystemVerilog package, the manifests of the vectors and the documentation take it from here.
 #ifndef HALFSPACE_HLS_FORMATS_HPP_
 #define HALFSPACE_HLS_FORMATS_HPP_
 
-#include <cstdint>
-
+#include "config.hpp"
 #include "fixed.hpp"
 
 namespace halfspace {
 
-// What a configuration chooses. Nothing here can be derived from the rest.
-struct Config {
-  const char* name;
-  int width, height;      // largest frame, pixels
-  int triangles;          // triangles a frame; indices 1 … triangles, 0 is the background
-  int range_bits;         // vertices lie in [−2^(range_bits−1), 2^(range_bits−1)) pixels: the guard band
-  int subpixel_bits;      // f: fraction bits of a vertex position
-  int depth_bits;         // bits of a stored depth
-  int reciprocal_bits;    // r: the reciprocal of the area has r fraction bits after its leading one
-  int depth_fraction;     // g of the depth plane: fraction bits of its gradients
-  int colour_fraction;    // g of the colour planes
+// W bits, I of them before the binary point.
+struct NumberFormat {
+  int width, integer;
+  bool is_signed;
 };
 
-// The hardware levels of index rendering: low-end, middle, high.
-struct Low {
-  static constexpr Config config() { return {"low", 320, 200, 4096, 10, 4, 16, 18, 13, 14}; }
+struct FormatTable {
+  NumberFormat x, y, index;
+  NumberFormat coord, delta, area, signed_area, edge, edge_step, reciprocal, shift;
+  NumberFormat depth, depth_plane, depth_gradient, depth_numerator, depth_start, depth_start_gradient;
+  NumberFormat colour, colour_plane, colour_gradient, colour_numerator, colour_start, colour_start_gradient;
 };
-struct Middle {
-  static constexpr Config config() { return {"middle", 640, 480, 16384, 11, 8, 24, 26, 14, 15}; }
-};
-struct High {
-  static constexpr Config config() { return {"high", 1920, 1080, 262144, 14, 8, 24, 28, 15, 18}; }
-};
+
+constexpr FormatTable format_table(const Config& c) {
+  FormatTable t{};
+  const int f = c.subpixel_bits;
+
+  // Frame sizes 1 … width, and pixel coordinates. The same width whatever the stamp.
+  t.x = {bits_for(c.width), bits_for(c.width), false};
+  t.y = {bits_for(c.height), bits_for(c.height), false};
+  // 0 is the background, so N triangles need N + 1 values.
+  t.index = {bits_for(c.triangles), bits_for(c.triangles), false};
+
+  // A position: range_bits before the point, the sign among them; c bits in all.
+  t.coord = {c.range_bits + f, c.range_bits, true};
+  // |x1 − x0| < 2^c units: one bit more than a position.
+  t.delta = {t.coord.width + 1, c.range_bits + 1, true};
+  // Twice the area of a triangle within a square of side s is at most s²: |D| < 2^(2c).
+  t.area = {2 * t.coord.width, 2 * c.range_bits, false};
+  t.signed_area = {t.area.width + 1, t.area.integer + 1, true};
+  // Twice the area of (vertex, vertex, pixel centre), less the tie bias of one: [−2^(2c), 2^(2c)).
+  t.edge = {t.area.width + 1, t.area.integer + 1, true};
+  // Steps are multiples of 2^f units, so the low f bits never change, and the sign of a number is the sign of its
+  // floor: they are dropped once the bias is folded in.
+  t.edge_step = {t.edge.width - f, t.edge.integer, true};
+  // R = round(2^(r+s) / D) with 2^s <= D < 2^(s+1): 2^(r−1) < R <= 2^r.
+  t.reciprocal = {c.reciprocal_bits + 1, 1, false};
+  // s = floor(log2 D): 0 … 2c − 1.
+  t.shift = {bits_for(t.area.width - 1), bits_for(t.area.width - 1), false};
+
+  // A channel of b bits whose gradients have g fraction bits.
+  t.depth = {c.depth_bits, c.depth_bits, false};
+  t.colour = {c.colour_bits, c.colour_bits, false};
+  // A plane is kept modulo 2^b: at a covered pixel centre its value, less the error, lies between values of the
+  // vertices, and the error is below ½ (see refusal), so the rounded value is one of 0 … 2^b − 1.
+  t.depth_plane = {c.depth_bits + c.depth_fraction, c.depth_bits, false};
+  t.colour_plane = {c.colour_bits + c.colour_fraction, c.colour_bits, false};
+  t.depth_gradient = {t.depth_plane.width, c.depth_bits, true};
+  t.colour_gradient = {t.colour_plane.width, c.colour_bits, true};
+  // N = dv1·dy2 − dv2·dy1, |dv| < 2^b, |dy| < 2^c units: |N| < 2^(b+c+1).
+  t.depth_numerator = {c.depth_bits + t.coord.width + 2, c.depth_bits + c.range_bits + 2, true};
+  t.colour_numerator = {c.colour_bits + t.coord.width + 2, c.colour_bits + c.range_bits + 2, true};
+  // The start of a plane lies a multiple of 2^−f pixels from vertex 0: it is summed with f + g fraction bits, modulo
+  // 2^b, and takes the gradients modulo 2^(b+f).
+  t.depth_start = {t.depth_plane.width + f, c.depth_bits, true};
+  t.colour_start = {t.colour_plane.width + f, c.colour_bits, true};
+  t.depth_start_gradient = {t.depth_start.width, c.depth_bits + f, true};
+  t.colour_start_gradient = {t.colour_start.width, c.colour_bits + f, true};
+  return t;
+}
+
+// Stamps that `pixels` pixels take, `lanes` a stamp.
+constexpr int stamps_for(int pixels, int lanes) { return (pixels + lanes - 1) / lanes; }
 
 // A stamp is the X × Y block of pixels that the units handle in one cycle, one lane a pixel. Lane l is the pixel
 // (l mod X, l div X) of its stamp.
@@ -46,106 +85,66 @@ using Stamp4 = StampShape<2, 2>;
 using Stamp8 = StampShape<4, 2>;
 using Stamp16 = StampShape<4, 4>;
 
-// Bits that hold 0 … n.
-constexpr int bits_for(std::int64_t n) { return n < 2 ? 1 : 1 + bits_for(n / 2); }
-// log2 of a power of two.
-constexpr int exact_log2(int n) { return n < 2 ? 0 : 1 + exact_log2(n / 2); }
-
+// The kernels' view of configuration C (a type with config()) and of a stamp. A simulation may put another class in its
+// place that has the same members, not constant: kernels use nothing of it as a template argument but the lanes.
 template <class C, class S>
 struct Formats {
   static constexpr Config config() { return C::config(); }
+  static constexpr FormatTable table() { return format_table(C::config()); }
+  using Checked = AcceptedConfig<refusal(C::config())>;
+  static_assert(sizeof(Checked) > 0, "the configuration is accepted");
 
-  // --- the stamp and the frame ---
   static constexpr int kLanesX = S::kX, kLanesY = S::kY, kLanes = S::kX * S::kY;
   static constexpr int kLog2LanesX = exact_log2(kLanesX), kLog2LanesY = exact_log2(kLanesY);
-  static_assert(kLanesX == 1 << kLog2LanesX && kLanesY == 1 << kLog2LanesY && kLanes <= 16,
-                "a stamp is a power of two of pixels each way, and 16 at most");
+  static_assert(kLanesX == 1 << kLog2LanesX && kLanesY == 1 << kLog2LanesY && kLanesX <= 4 && kLanesY <= 4,
+                "a stamp is a power of two of pixels each way, and 4 at most");
   static constexpr int kWidth = config().width, kHeight = config().height;
-  static constexpr int kStampsX = (kWidth + kLanesX - 1) / kLanesX;  // also the pitch of the buffers
-  static constexpr int kStampsY = (kHeight + kLanesY - 1) / kLanesY;
+  static constexpr int kStampsX = stamps_for(kWidth, kLanesX);  // also the pitch of the buffers
+  static constexpr int kStampsY = stamps_for(kHeight, kLanesY);
   static constexpr int kStamps = kStampsX * kStampsY;
   static constexpr int kTriangles = config().triangles;
-
-  static constexpr int kColourBits = 8;
-  static constexpr int kDepthBits = config().depth_bits;
   static constexpr int kSubpixelBits = config().subpixel_bits;
   static constexpr int kReciprocalFraction = config().reciprocal_bits;
-  static constexpr int kDepthFraction = config().depth_fraction;
-  static constexpr int kColourFraction = config().colour_fraction;
+  static constexpr int kAreaBits = table().area.width;
+  static constexpr int kDepthBits = config().depth_bits;
+  static constexpr int kColourBits = config().colour_bits;
 
-  // --- widths, each with its reason ---
-  // Frame sizes 1 … width; pixel coordinates fit as well. The same width whatever the stamp.
-  static constexpr int kXBits = bits_for(kWidth), kYBits = bits_for(kHeight);
-  // 0 is the background, so N triangles need N + 1 values.
-  static constexpr int kIndexBits = bits_for(kTriangles);
-  // Signed position, range_bits before the point (the sign among them).
-  static constexpr int kCoordBits = config().range_bits + kSubpixelBits;
-  // |x1 − x0| < 2^c: one bit more than a position.
-  static constexpr int kDeltaBits = kCoordBits + 1;
-  // Twice the area of a triangle within a square of side s is at most s²: |D| < 2^(2c).
-  static constexpr int kAreaBits = 2 * kCoordBits;
-  // An edge function is twice the area of (vertex, vertex, pixel centre), less the tie bias of one: [−2^(2c), 2^(2c)).
-  static constexpr int kEdgeBits = 2 * kCoordBits + 1;
-  // Steps are multiples of 2^f in the unit of the last place, so the low f bits never change, and the sign of a
-  // number is the sign of its floor: they are dropped once the bias is folded in.
-  static constexpr int kEdgeStepBits = kEdgeBits - kSubpixelBits;
-  // N = dv1·dy2 − dv2·dy1, |dv| < 2^b, |dy| < 2^c: |N| < 2^(b+c+1).
-  static constexpr int numerator_bits(int value_bits) { return value_bits + kCoordBits + 2; }
-  // R = round(2^(r+s) / D) with 2^s <= D < 2^(s+1): 2^(r−1) < R <= 2^r.
-  static constexpr int kReciprocalBits = kReciprocalFraction + 1;
-  // s = floor(log2 D), 0 … 2c − 1.
-  static constexpr int kShiftBits = bits_for(kAreaBits - 1);
-  // Cycles a triangle of the RTL's triangle setup: the quotient bits of the divider and one to load it.
-  static constexpr int kSetupInterval = kReciprocalFraction + 3;
-  // A plane is kept modulo 2^b: at a covered pixel centre its value, less the error, lies between values of the
-  // vertices, and the error is below ½ (see plane_error_ok), so the rounded value is one of 0 … 2^b − 1.
-  static constexpr int kDepthPlaneBits = kDepthBits + kDepthFraction;
-  static constexpr int kColourPlaneBits = kColourBits + kColourFraction;
-
-  // --- what the widths have to satisfy ---
-  // |error| <= 2^(b−r) + (|dx| + |dy|)·2^−(g+1) < ½ LSB, for the farthest vertex that a pixel of the frame can be
-  // measured from; both sides times 2^(g+1+r).
-  static constexpr std::int64_t kReach = (std::int64_t(1) << config().range_bits) + kWidth + kHeight;
-  static constexpr bool plane_error_ok(int b, int r, int g) {
-    return (std::int64_t(1) << (b + g + 1)) + (kReach << r) < std::int64_t(1) << (g + r);
-  }
-  static_assert(plane_error_ok(kDepthBits, kReciprocalFraction, kDepthFraction),
-                "the depth planes are off by half an LSB or more: raise reciprocal_bits or depth_fraction");
-  static_assert(plane_error_ok(kColourBits, kReciprocalFraction, kColourFraction),
-                "the colour planes are off by half an LSB or more: raise reciprocal_bits or colour_fraction");
-  static_assert(kWidth + 3 * kLanesX <= 1 << (config().range_bits - 1) &&
-                    kHeight + 3 * kLanesY <= 1 << (config().range_bits - 1),
-                "the pixel centres of every stamp, and of the stamps around the frame, are positions: raise range_bits");
-  static_assert(kReciprocalFraction >= kSubpixelBits + kDepthFraction &&
-                    kReciprocalFraction >= kSubpixelBits + kColourFraction,
-                "a gradient keeps no more fraction bits than its reciprocal has: raise reciprocal_bits");
-  static_assert(kEdgeBits <= 64, "an edge function is one machine word: lower range_bits or subpixel_bits");
-  static_assert(kDepthPlaneBits + kSubpixelBits < 64 && kColourPlaneBits + kSubpixelBits < 64,
-                "the start of a plane is one machine word: lower the fraction bits");
-  static_assert(kColourPlaneBits + kXBits <= 64 && kColourPlaneBits + kYBits <= 64,
-                "a colour gradient times a pixel coordinate is one machine word: lower colour_fraction");
-  static_assert(numerator_bits(kDepthBits) - 24 + kReciprocalBits < 64 && 24 + kReciprocalBits < 64,
-                "the halves of a gradient product are machine words: lower reciprocal_bits");
-
-  // --- the types ---
-  static constexpr int kCoordInteger = config().range_bits;
-  using X = ufix<kXBits, kXBits>;  // pixels or stamps to the right, and frame widths
-  using Y = ufix<kYBits, kYBits>;  // pixels or stamps downward, and frame heights
-  using Index = ufix<kIndexBits, kIndexBits>;
-  using Coord = fix<kCoordBits, kCoordInteger>;
-  using Delta = fix<kDeltaBits, kCoordInteger + 1>;
-  using Area = ufix<kAreaBits, 2 * kCoordInteger>;
-  using SignedArea = fix<kAreaBits + 1, 2 * kCoordInteger + 1>;
-  using Edge = fix<kEdgeBits, 2 * kCoordInteger + 1>;
-  using EdgeStep = fix<kEdgeStepBits, 2 * kCoordInteger + 1>;
-  using Reciprocal = ufix<kReciprocalBits, 1>;
-  using Shift = ufix<kShiftBits, kShiftBits>;
-  using Depth = ufix<kDepthBits, kDepthBits>;
-  using Colour = ufix<kColourBits, kColourBits>;
-  using DepthPlane = ufix<kDepthPlaneBits, kDepthBits>;
-  using DepthGradient = fix<kDepthPlaneBits, kDepthBits>;
-  using ColourPlane = ufix<kColourPlaneBits, kColourBits>;
-  using ColourGradient = fix<kColourPlaneBits, kColourBits>;
+#define HS_NUMBER(field) Fixed<table().field.width, table().field.integer, table().field.is_signed>
+  using X = HS_NUMBER(x);  // pixels or stamps to the right, and frame widths
+  using Y = HS_NUMBER(y);  // pixels or stamps downward, and frame heights
+  using Index = HS_NUMBER(index);
+  using Coord = HS_NUMBER(coord);
+  using Delta = HS_NUMBER(delta);
+  using Area = HS_NUMBER(area);
+  using SignedArea = HS_NUMBER(signed_area);
+  using Edge = HS_NUMBER(edge);
+  using EdgeStep = HS_NUMBER(edge_step);
+  using Reciprocal = HS_NUMBER(reciprocal);
+  using Shift = HS_NUMBER(shift);
+  using Depth = HS_NUMBER(depth);
+  using DepthPlane = HS_NUMBER(depth_plane);
+  using DepthGradient = HS_NUMBER(depth_gradient);
+  using Colour = HS_NUMBER(colour);
+  using ColourPlane = HS_NUMBER(colour_plane);
+  using ColourGradient = HS_NUMBER(colour_gradient);
+  // What plane_setup takes.
+  struct DepthChannel {
+    using Value = HS_NUMBER(depth);
+    using PlaneValue = HS_NUMBER(depth_plane);
+    using Gradient = HS_NUMBER(depth_gradient);
+    using Numerator = HS_NUMBER(depth_numerator);
+    using Start = HS_NUMBER(depth_start);
+    using StartGradient = HS_NUMBER(depth_start_gradient);
+  };
+  struct ColourChannel {
+    using Value = HS_NUMBER(colour);
+    using PlaneValue = HS_NUMBER(colour_plane);
+    using Gradient = HS_NUMBER(colour_gradient);
+    using Numerator = HS_NUMBER(colour_numerator);
+    using Start = HS_NUMBER(colour_start);
+    using StartGradient = HS_NUMBER(colour_start_gradient);
+  };
+#undef HS_NUMBER
 };
 
 }  // namespace halfspace

@@ -20,6 +20,7 @@ struct Streams {
   Stream<Attributes<F>> attributes;
   Stream<Planes<F>> planes;
   Stream<Stamp<F>> stamp;
+  Probe<int> visits;
   Probe<Update<F>> update;
   Stream<Visible<F>> visible;
   Stream<Scan<F>> scan;
@@ -34,7 +35,7 @@ void pipeline_triangle(const Frame<F>& frame, Streams<F>& streams, Buffers<F>& b
     shade_setup(streams.attributes, streams.planes);
     store_planes(streams.planes, buffers.shading);
   }
-  raster_pineda(frame, streams.setup, streams.stamp);
+  raster_pineda(frame, streams.setup, streams.stamp, streams.visits);
   ztest_index(streams.stamp, buffers.index, buffers.depth, streams.update, streams.visible);
 }
 

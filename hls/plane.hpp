@@ -27,10 +27,11 @@ struct PlaneBase {
   typename F::Delta dx, dy;              // where the plane starts, from vertex 0
 };
 
-template <class PlaneValue, class PlaneGradient>
+// Channel: F::DepthChannel or F::ColourChannel.
+template <class Channel>
 struct Plane {
-  PlaneValue start;  // ½ included, so that the value rounded to nearest, half up, is the integer part
-  PlaneGradient dx, dy;
+  typename Channel::PlaneValue start;  // ½ included: the integer part of a value is it rounded to nearest, half up
+  typename Channel::Gradient dx, dy;
 };
 
 // floor(N · R · 2^−n + ½) modulo the width of Gradient. The product has up to 77 bits, so N is cut in two:
@@ -47,26 +48,24 @@ Gradient gradient_product(std::int64_t numerator, const typename F::Reciprocal& 
   return from_raw<Gradient>(n < kCut ? std::int64_t(wide) : high >> (n - kCut));
 }
 
-// PlaneValue has b integer and g fraction bits, PlaneGradient the same, signed.
-template <class F, class PlaneValue, class PlaneGradient, class Value>
-Plane<PlaneValue, PlaneGradient> plane_setup(const PlaneBase<F>& base, const Value& v0, const Value& v1,
-                                             const Value& v2) {
-  constexpr int kFraction = PlaneValue::kFraction;
-  using Numerator = fix<F::numerator_bits(Value::kWidth), Value::kInteger + F::kCoordInteger + 2>;
-  // Gradients have g fraction bits and distances f: the start is summed with all of them.
-  using Start = fix<PlaneValue::kWidth + F::kSubpixelBits, PlaneValue::kInteger>;
-  using StartGradient = fix<PlaneValue::kWidth + F::kSubpixelBits, PlaneValue::kInteger + F::kSubpixelBits>;
+template <class F, class Channel>
+Plane<Channel> plane_setup(const PlaneBase<F>& base, const typename Channel::Value& v0, const typename Channel::Value& v1,
+                           const typename Channel::Value& v2) {
+  using Numerator = typename Channel::Numerator;
+  using Start = typename Channel::Start;
+  using StartGradient = typename Channel::StartGradient;
+  const int g = Channel::PlaneValue::fraction();
 
   const auto dv1 = v1 - v0;
   const auto dv2 = v2 - v0;
   const Numerator numerator_x = dv1 * base.dy2 - dv2 * base.dy1;
   const Numerator numerator_y = dv2 * base.dx1 - dv1 * base.dx2;
   // A sub-pixel over a sub-pixel squared, times 2^f sub-pixels in a pixel, to g fraction bits of N·R·2^−(r+s).
-  const int n = int(raw(base.inverse.shift)) + F::kReciprocalFraction - F::kSubpixelBits - kFraction;
+  const int n = int(raw(base.inverse.shift)) + F::kReciprocalFraction - F::kSubpixelBits - g;
 
   const StartGradient dx = gradient_product<F, StartGradient>(raw(numerator_x), base.inverse.reciprocal, n);
   const StartGradient dy = gradient_product<F, StartGradient>(raw(numerator_y), base.inverse.reciprocal, n);
-  Plane<PlaneValue, PlaneGradient> plane;
+  Plane<Channel> plane;
   plane.dx = dx;
   plane.dy = dy;
 
@@ -74,8 +73,8 @@ Plane<PlaneValue, PlaneGradient> plane_setup(const PlaneBase<F>& base, const Val
   // step is a multiple of 2^−g.
   const Start along_x = from_raw<Start>(std::uint64_t(raw(dx)) * std::uint64_t(raw(base.dx)));
   const Start along_y = from_raw<Start>(std::uint64_t(raw(dy)) * std::uint64_t(raw(base.dy)));
-  const ufix<Value::kWidth + 1, Value::kInteger> half = from_raw<ufix<Value::kWidth + 1, Value::kInteger>>(1);
-  const Start first = v0 + half;
+  // v0 + ½, the last place of Start being 2^−(f+g).
+  const Start first = from_raw<Start>((std::uint64_t(raw(v0)) * 2 + 1) << (Start::fraction() - 1));
   const Start sum_x = first + along_x;
   plane.start = sum_x + along_y;
   return plane;

@@ -6,7 +6,7 @@
 // row, goes right to the last one, then left from where it began. On the way it keeps the first stamp whose neighbour
 // below is near: the next row begins there. Without one it searches from where it stands, in the direction in
 // which the edges that fail increase; edges that disagree prove the row empty.
-// One stamp a cycle. An adjacent stamp is entered only when it is near, so that a cycle without a covered pixel is
+// One stamp a cycle; `visits` hears how many a triangle took. An adjacent stamp is entered only when it is near, so that a cycle without a covered pixel is
 // the price of a corner that only single edges reach, or of a search.
 #ifndef HALFSPACE_HLS_RASTER_PINEDA_HPP_
 #define HALFSPACE_HLS_RASTER_PINEDA_HPP_
@@ -124,7 +124,7 @@ Depths:
 }
 
 template <class F>
-void raster_pineda(const Frame<F>& frame, Stream<Setup<F>>& setup, Stream<Stamp<F>>& stamp) {
+void raster_pineda(const Frame<F>& frame, Stream<Setup<F>>& setup, Stream<Stamp<F>>& stamp, Probe<int>& visits) {
   const Setup<F> in = setup.read();
   const WalkSteps<F> steps = walk_steps(in);
   const int x_min = int(raw(in.x_min)), x_max = int(raw(in.x_max)), y_max = int(raw(in.y_max));
@@ -149,10 +149,11 @@ Start:
   found.index = in.index;
   bool pending = false;
 
-  constexpr int kMaxCycles = 2 * F::kStamps + F::kStampsX + F::kStampsY;  // no row is entered or searched twice
+  const int max_cycles = 2 * F::kStamps + F::kStampsX + F::kStampsY;  // no row is entered or searched twice
+  int cycle = 0;
   bool done = raw(in.empty) != 0;
 Walk:
-  for (int cycle = 0; cycle < kMaxCycles && !done; ++cycle) {
+  for (; cycle < max_cycles && !done; ++cycle) {
     HS_PIPELINE(1)
     const bool near_0 = edge_near(at, steps, 0), near_1 = edge_near(at, steps, 1), near_2 = edge_near(at, steps, 2);
     bool row_done = false;
@@ -215,6 +216,7 @@ Walk:
   found.triangle_last = from_raw<Bit>(1);
   found.last = in.last;
   stamp.write(found);
+  visits.write(cycle);
 }
 
 }  // namespace halfspace

@@ -20,21 +20,21 @@ struct AreaReciprocal {
 
 template <class F>
 AreaReciprocal<F> area_reciprocal(const typename F::Area& area) {
-  constexpr int kTop = F::kAreaBits - 1;
+  const int top = F::kAreaBits - 1;
   // Normalize: the leading one moves to bit 2c − 1, by halves of the word.
   std::uint64_t divisor = raw(area);
-  int shift = kTop;
+  int shift = top;
 Normalize:
   for (int step = 32; step > 0; step /= 2) {
     HS_UNROLL
-    if (step <= kTop && divisor >> (kTop + 1 - step) == 0) {
+    if (step <= top && divisor >> (top + 1 - step) == 0) {
       divisor <<= step;
       shift -= step;
     }
   }
 
   // remainder < 2·divisor <= 2^(2c+1) throughout.
-  std::uint64_t remainder = std::uint64_t(1) << kTop;
+  std::uint64_t remainder = std::uint64_t(1) << top;
   std::uint64_t quotient = 0;
 Divide:
   for (int i = 0; i < F::kReciprocalFraction + 2; ++i) {

@@ -11,8 +11,7 @@ namespace halfspace {
 template <class F>
 void shade_setup(Stream<Attributes<F>>& attributes, Stream<Planes<F>>& planes) {
   using Coord = typename F::Coord;
-  using Value = typename F::ColourPlane;
-  using Gradient = typename F::ColourGradient;
+  using Channel = typename F::ColourChannel;
   const Attributes<F> in = attributes.read();
 
   Planes<F> out{};
@@ -30,9 +29,9 @@ void shade_setup(Stream<Attributes<F>>& attributes, Stream<Planes<F>>& planes) {
     base.inverse.reciprocal = in.reciprocal;
     base.dx = centre - in.x;
     base.dy = centre - in.y;
-    const auto r = plane_setup<F, Value, Gradient>(base, in.r[0], in.r[1], in.r[2]);
-    const auto g = plane_setup<F, Value, Gradient>(base, in.g[0], in.g[1], in.g[2]);
-    const auto b = plane_setup<F, Value, Gradient>(base, in.b[0], in.b[1], in.b[2]);
+    const auto r = plane_setup<F, Channel>(base, in.r[0], in.r[1], in.r[2]);
+    const auto g = plane_setup<F, Channel>(base, in.g[0], in.g[1], in.g[2]);
+    const auto b = plane_setup<F, Channel>(base, in.b[0], in.b[1], in.b[2]);
     out.r = r.start;
     out.r_dx = r.dx;
     out.r_dy = r.dy;

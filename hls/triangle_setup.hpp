@@ -71,11 +71,11 @@ struct PixelRange {
 template <class F>
 PixelRange<F> pixel_range(const typename F::Coord& a, const typename F::Coord& b, const typename F::Coord& c,
                           int size) {
-  constexpr int kHalf = 1 << (F::kSubpixelBits - 1);
+  const int half = 1 << (F::kSubpixelBits - 1);
   const int low = int(raw(a < b ? (a < c ? a : c) : (b < c ? b : c)));
   const int high = int(raw(a > b ? (a > c ? a : c) : (b > c ? b : c)));
-  const int first = (low + kHalf - 1) >> F::kSubpixelBits;  // ceil(low − ½)
-  const int last = (high - kHalf) >> F::kSubpixelBits;      // floor(high − ½)
+  const int first = (low + half - 1) >> F::kSubpixelBits;  // ceil(low − ½)
+  const int last = (high - half) >> F::kSubpixelBits;      // floor(high − ½)
   PixelRange<F> range;
   range.first = first < 0 ? 0 : first;
   range.last = last > size - 1 ? size - 1 : last;
@@ -126,9 +126,9 @@ void triangle_setup(const Frame<F>& frame, Stream<Triangle<F>>& triangle, Stream
     out.y_min = from_raw<typename F::Y>(y_start);
     out.y_max = from_raw<typename F::Y>(rows.last >> F::kLog2LanesY);
 
-    constexpr int kHalf = 1 << (F::kSubpixelBits - 1);
-    const Coord px = from_raw<Coord>((x_start << (F::kLog2LanesX + F::kSubpixelBits)) + kHalf);
-    const Coord py = from_raw<Coord>((y_start << (F::kLog2LanesY + F::kSubpixelBits)) + kHalf);
+    const int half = 1 << (F::kSubpixelBits - 1);
+    const Coord px = from_raw<Coord>((x_start << (F::kLog2LanesX + F::kSubpixelBits)) + half);
+    const Coord py = from_raw<Coord>((y_start << (F::kLog2LanesY + F::kSubpixelBits)) + half);
 
   Edges:
     for (int i = 0; i < 3; ++i) {
@@ -148,7 +148,7 @@ void triangle_setup(const Frame<F>& frame, Stream<Triangle<F>>& triangle, Stream
     base.inverse = area_reciprocal<F>(t.area);
     base.dx = px - x[0];
     base.dy = py - y[0];
-    const auto depth = plane_setup<F, typename F::DepthPlane, typename F::DepthGradient>(
+    const auto depth = plane_setup<F, typename F::DepthChannel>(
         base, t.vertices.depth[0], t.vertices.depth[1], t.vertices.depth[2]);
     out.depth = depth.start;
     out.depth_dx = depth.dx;

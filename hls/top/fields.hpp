@@ -3,6 +3,9 @@
 #ifndef HALFSPACE_HLS_TOP_FIELDS_HPP_
 #define HALFSPACE_HLS_TOP_FIELDS_HPP_
 
+#include "../configs/high.hpp"
+#include "../configs/low.hpp"
+#include "../configs/middle.hpp"
 #include "../pipeline.hpp"
 
 // A tool that synthesizes a top defines these two, or takes them as they are.

@@ -10,7 +10,8 @@ extern "C" int raster_pineda_top(int width, int height, const std::int64_t setup
   Stream<Setup<F>> in;
   Stream<Stamp<F>> out;
   in.write(read_fields<Setup<F>>(setup));
-  raster_pineda(top_frame(width, height, 0), in, out);
+  Probe<int> visits;
+  raster_pineda(top_frame(width, height, 0), in, out, visits);
   int count = 0;
 Stamps:
   for (int n = 0; n < F::kStamps; ++n) {

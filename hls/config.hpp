@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a configuration chooses, and why one is refused. hls/configs/ holds the named ones.
+#ifndef HALFSPACE_HLS_CONFIG_HPP_
+#define HALFSPACE_HLS_CONFIG_HPP_
+
+#include <cstdint>
+
+namespace halfspace {
+
+// A configuration, as in its .toml file. Nothing here can be derived from the rest.
+struct Config {
+  const char* name;
+  int width, height;     // largest frame, pixels
+  int triangles;         // triangles a frame; indices 1 … triangles, 0 is the background
+  int range_bits;        // vertices lie in [−2^(range_bits−1), 2^(range_bits−1)) pixels: the guard band
+  int subpixel_bits;     // f: fraction bits of a vertex position
+  int depth_bits;        // b of depth: bits of a stored depth
+  int colour_bits;       // b of a colour channel
+  int reciprocal_bits;   // r: the reciprocal of the area has r fraction bits after its leading one
+  int depth_fraction;    // g of the depth plane: fraction bits of its gradients
+  int colour_fraction;   // g of the colour planes
+  int lanes;             // pixels a stamp, 1, 2, 4, 8 or 16: what the units handle in a cycle
+};
+
+// Bits that hold 0 … n.
+constexpr int bits_for(std::int64_t n) { return n < 2 ? 1 : 1 + bits_for(n / 2); }
+// log2 of a power of two.
+constexpr int exact_log2(int n) { return n < 2 ? 0 : 1 + exact_log2(n / 2); }
+
+// Cycles a triangle of the RTL's triangle setup: the quotient bits of the divider and one to load it.
+constexpr int setup_interval(const Config& c) { return c.reciprocal_bits + 3; }
+
+// Why a configuration is refused; the first reason that holds. refusal_text() in vectors/ has them as sentences.
+enum class Refusal {
+  kNone,
+  kFrameSize,           // 1 … 8192 pixels each way
+  kTriangles,           // 1 … 2^22
+  kSubpixelBits,        // 1 … 12: without one, a pixel centre is no position
+  kDepthBits,           // 2 … 32
+  kColourBits,          // 1 … 8
+  kLanes,               // 1, 2, 4, 8, 16
+  kFractionBits,        // 1 … 40 for g, 2 … 40 for r
+  kFrameOutsideRange,   // the centres of all stamps, and of the stamps around the frame, are positions
+  kDepthError,          // the depth plane is off by half an LSB or more
+  kColourError,         // the colour planes are off by half an LSB or more
+  kReciprocalShort,     // a gradient keeps no more fraction bits than its reciprocal has
+  kEdgeWord,            // an edge function, with the carry of its subtraction, is one machine word
+  kNumeratorWord,       // so is the numerator of a gradient
+  kGradientWord,        // so are the halves of the product with the reciprocal
+  kStartWord,           // so is the start of a plane
+  kShadeWord,           // so is a colour gradient times a pixel coordinate
+};
+
+// |error| <= 2^(b−r) + (|dx| + |dy|)·2^−(g+1) < ½ LSB, for the farthest vertex that a pixel of the frame can be measured
+// from; both sides times 2^(g+1).
+constexpr bool plane_error_ok(const Config& c, int b, int g) {
+  const std::int64_t reach = (std::int64_t(1) << c.range_bits) + c.width + c.height;
+  const int n = b + g + 1 - c.reciprocal_bits;
+  return b < c.reciprocal_bits && reach < (std::int64_t(1) << g) - (n < 0 ? 0 : std::int64_t(1) << n);
+}
+
+constexpr bool within(int value, int low, int high) { return value >= low && value <= high; }
+
+constexpr Refusal refusal(const Config& c) {
+  if (!within(c.width, 1, 8192) || !within(c.height, 1, 8192)) return Refusal::kFrameSize;
+  if (!within(c.triangles, 1, 1 << 22)) return Refusal::kTriangles;
+  if (!within(c.subpixel_bits, 1, 12)) return Refusal::kSubpixelBits;
+  if (!within(c.depth_bits, 2, 32)) return Refusal::kDepthBits;
+  if (!within(c.colour_bits, 1, 8)) return Refusal::kColourBits;
+  if (!within(c.lanes, 1, 16) || c.lanes != 1 << exact_log2(c.lanes)) return Refusal::kLanes;
+  if (!within(c.reciprocal_bits, 2, 40) || !within(c.depth_fraction, 1, 40) || !within(c.colour_fraction, 1, 40)) {
+    return Refusal::kFractionBits;
+  }
+  const int longer_side = c.width > c.height ? c.width : c.height;
+  const int margin = 3 * 4;  // pixels of the stamps around the frame, 4 at most each way
+  if (!within(c.range_bits, 1, 20) || longer_side + margin > 1 << (c.range_bits - 1)) return Refusal::kFrameOutsideRange;
+  if (!plane_error_ok(c, c.depth_bits, c.depth_fraction)) return Refusal::kDepthError;
+  if (!plane_error_ok(c, c.colour_bits, c.colour_fraction)) return Refusal::kColourError;
+  const int fraction = c.depth_fraction > c.colour_fraction ? c.depth_fraction : c.colour_fraction;
+  if (c.reciprocal_bits < c.subpixel_bits + fraction) return Refusal::kReciprocalShort;
+  const int position = c.range_bits + c.subpixel_bits;
+  const int value = c.depth_bits > c.colour_bits ? c.depth_bits : c.colour_bits;
+  const int numerator = value + position + 2;
+  if (2 * position + 3 > 64) return Refusal::kEdgeWord;
+  if (numerator + 1 > 64) return Refusal::kNumeratorWord;
+  if (numerator - 24 + c.reciprocal_bits + 1 > 63 || 24 + c.reciprocal_bits + 1 > 63) return Refusal::kGradientWord;
+  if (c.depth_bits + c.depth_fraction + c.subpixel_bits > 63 || c.colour_bits + c.colour_fraction + c.subpixel_bits > 63) {
+    return Refusal::kStartWord;
+  }
+  if (c.colour_bits + c.colour_fraction + bits_for(longer_side) > 64) return Refusal::kShadeWord;
+  return Refusal::kNone;
+}
+
+// Compiles for an accepted configuration alone: a compiler that refuses prints the reason as the argument.
+template <Refusal R>
+struct AcceptedConfig {
+  static_assert(R == Refusal::kNone, "this configuration is refused: the argument R of AcceptedConfig says why");
+};
+
+}  // namespace halfspace
+
+#endif  // HALFSPACE_HLS_CONFIG_HPP_
