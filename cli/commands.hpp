@@ -14,6 +14,7 @@ namespace halfspace::cli {
 void add_render(CLI::App& app, int& status);
 void add_vectors(CLI::App& app, int& status);
 void add_compare(CLI::App& app, int& status);
+void add_config(CLI::App& app, int& status);
 void add_package(CLI::App& app, int& status);
 void add_report(CLI::App& app, int& status);
 

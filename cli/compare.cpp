@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// halfspace compare and halfspace package
+// halfspace compare
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -8,7 +8,6 @@
 #include "cli/commands.hpp"
 #include "ref/error.hpp"
 #include "vectors/dump.hpp"
-#include "vectors/package.hpp"
 #include "vectors/staging.hpp"
 
 namespace halfspace::cli {
@@ -48,19 +47,6 @@ void add_compare(CLI::App& app, int& status) {
   command->add_option("B", options->b, "another of the same kind")->required();
   command->add_option("--json", options->json, "file for the numbers");
   command->callback([options, &status] { status = compare(options->a, options->b, options->json); });
-}
-
-void add_package(CLI::App& app, int&) {
-  auto config = std::make_shared<std::string>("middle");
-  auto output = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand("package", "print the SystemVerilog package of a configuration");
-  command->add_option("--config", *config, "low, middle or high")->capture_default_str();
-  command->add_option("-o,--output", *output, "file to write; default: standard output");
-  command->callback([config, output] {
-    const std::string text = vectors::formats_package(*config);
-    if (output->empty()) std::fputs(text.c_str(), stdout);
-    else vectors::write_file(*output, text);
-  });
 }
 
 }  // namespace halfspace::cli

@@ -56,6 +56,7 @@ int main(int argc, char** argv) {
   halfspace::cli::add_render(app, status);
   halfspace::cli::add_vectors(app, status);
   halfspace::cli::add_compare(app, status);
+  halfspace::cli::add_config(app, status);
   halfspace::cli::add_package(app, status);
   halfspace::cli::add_report(app, status);
   try {

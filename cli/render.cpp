@@ -23,10 +23,10 @@ struct Options {
 };
 
 void render(const Options& options) {
-  const ref::SnappedList scene = load_snapped(options.input);
+  const auto [scene, configuration] = load_snapped(options.input);
   const ref::Frame frame = options.engine == "ref"
                                ? ref::render(scene)
-                               : vectors::make_engine(scene.format.name, options.lanes)->render(scene);
+                               : vectors::make_engine(configuration, options.lanes)->render(scene);
   if (!options.output.empty()) write_picture(options.output, colour_picture(frame));
   if (!options.dump.empty()) vectors::write_dump(options.dump, scene, frame);
 

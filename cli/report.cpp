@@ -111,9 +111,9 @@ Json print_table(const Json& cosim, const Json& units, const vectors::Accuracy& 
 
 int report(const Options& options) {
   const Json cosim = read_json(options.cosim), units = read_json(options.units);
-  const ref::SnappedList scene = load_snapped(options.input);
+  const auto [scene, configuration] = load_snapped(options.input);
   const ref::Frame reference = ref::render(scene);
-  const ref::Frame kernels = vectors::make_engine(scene.format.name, 16)->render(scene);
+  const ref::Frame kernels = vectors::make_engine(configuration, 16)->render(scene);
   const vectors::Accuracy a = vectors::accuracy(reference, kernels, scene.format.depth_bits);
   constexpr int kGain = 64;
 

@@ -53,13 +53,13 @@ void add_scene_options(CLI::App* command, SceneInput& input) {
   command->add_option("SCENE", input.scene, "a built-in scene (" + names + "), a mesh file (OBJ, glTF, Collada, …) or a screen-space *.tri")
       ->required();
   command->add_option("--config", input.config,
-                      "number formats: low (320x200), middle (640x480), high (1920x1080); default: middle, or high "
-                      "when the scene does not fit");
+                      "number formats: low (320x200), middle (640x480), high (1920x1080) or a .toml file; default: "
+                      "middle, or high when the scene does not fit");
   command->add_option("--size", input.size, "frame, WxH; default: the size in the file, or the configuration's own");
   command->add_option("--time", input.time, "seconds into the file's animation")->capture_default_str();
 }
 
-ref::SnappedList load_snapped(const SceneInput& input) {
+LoadedScene load_snapped(const SceneInput& input) {
   const bool is_tri = ref::is_tri_file(input.scene);
   Size size;
   if (!input.size.empty()) size = parse_size(input.size);
@@ -74,27 +74,29 @@ ref::SnappedList load_snapped(const SceneInput& input) {
     }
     size = {list.width, list.height};
   }
-  const ref::RasterFormat first = vectors::raster_format(input.config.empty() ? "middle" : input.config);
+  const vectors::Configuration chosen = vectors::find_configuration(input.config.empty() ? "middle" : input.config);
+  const ref::RasterFormat first = vectors::raster_format(chosen);
   if (size.width == 0) size = {first.width, first.height};
   if (!is_tri) {
     if (!input.config.empty() && !fits(size, first)) {  // before the work of reading a mesh
       ref::TriangleList empty;
       empty.width = size.width;
       empty.height = size.height;
-      return snap_scene(input.scene, empty, first);
+      return {snap_scene(input.scene, empty, first), chosen};
     }
     scene = ref::load_scene(input.scene, input.time);
   }
-  auto snapped = [&](const ref::RasterFormat& format) {
+  auto snapped = [&](const vectors::Configuration& configuration) -> LoadedScene {
+    const ref::RasterFormat format = vectors::raster_format(configuration);
     if (!is_tri) list = ref::project(scene, {size.width, size.height, format.range_bits, format.subpixel_bits});
-    return snap_scene(input.scene, list, format);
+    return {snap_scene(input.scene, list, format), configuration};
   };
-  if (!input.config.empty()) return snapped(first);
+  if (!input.config.empty()) return snapped(chosen);
   // Not said: middle if the scene fits it.
   try {
-    return snapped(first);
+    return snapped(chosen);
   } catch (const ref::Error&) {
-    return snapped(vectors::raster_format("high"));
+    return snapped(vectors::find_configuration("high"));
   }
 }
 

@@ -7,12 +7,13 @@
 #include <string>
 
 #include "ref/snap.hpp"
+#include "vectors/configuration.hpp"
 
 namespace halfspace::cli {
 
 struct SceneInput {
   std::string scene;   // built-in name, *.tri, or a mesh file
-  std::string config;  // empty: middle, or high when the scene does not fit middle
+  std::string config;  // name or .toml; empty: middle, or high when the scene does not fit middle
   std::string size;    // "WxH"; empty: a *.tri's size, or the configuration's
   double time = 0;     // seconds into the file's animation
 };
@@ -20,8 +21,13 @@ struct SceneInput {
 // Adds the scene and its options to a subcommand.
 void add_scene_options(CLI::App* command, SceneInput& input);
 
+struct LoadedScene {
+  ref::SnappedList list;
+  vectors::Configuration configuration;  // of its format
+};
+
 // Throws ref::Error.
-ref::SnappedList load_snapped(const SceneInput& input);
+LoadedScene load_snapped(const SceneInput& input);
 
 }  // namespace halfspace::cli
 

@@ -17,7 +17,7 @@ namespace {
 
 struct Options {
   SceneInput input;
-  int lanes = 4;
+  int lanes = 0;  // 0: those of the configuration
   std::string out, json;
   std::uint64_t seed = 1;
   bool corners = true;
@@ -26,15 +26,14 @@ struct Options {
 
 void write_vectors(const Options& options) {
   std::vector<vectors::NamedFrame> frames;
-  ref::RasterFormat format;
+  vectors::Configuration configuration = vectors::find_configuration(options.input.config.empty() ? "middle" : options.input.config);
   const bool standard = options.input.scene == "standard";
-  if (standard) {
-    format = vectors::raster_format(options.input.config.empty() ? "middle" : options.input.config);
-  } else {
-    const ref::SnappedList scene = load_snapped(options.input);
-    format = scene.format;
-    frames.push_back({options.input.scene, scene});
+  if (!standard) {
+    LoadedScene scene = load_snapped(options.input);
+    configuration = scene.configuration;
+    frames.push_back({options.input.scene, std::move(scene.list)});
   }
+  const ref::RasterFormat format = vectors::raster_format(configuration);
   if (standard || options.corners) {
     std::vector<vectors::NamedFrame> first = vectors::corner_frames(format);
     for (auto& frame : vectors::random_frames(format, options.seed, options.random, options.random_triangles)) {
@@ -46,8 +45,8 @@ void write_vectors(const Options& options) {
 
   vectors::VectorSetOptions set;
   set.scene = options.input.scene;
-  set.config = format.name;
-  set.lanes = options.lanes;
+  set.configuration = configuration;
+  set.lanes = options.lanes ? options.lanes : configuration.config().lanes;
   set.seed = standard || options.corners ? options.seed : 0;
   Progress progress("vectors " + set.scene);
   const std::string manifest = vectors::write_vector_set(
@@ -56,7 +55,7 @@ void write_vectors(const Options& options) {
   const Json json = Json::parse(manifest);
   std::size_t words = 0;
   for (const auto& stream : json["streams"]) words += stream["words"].get<std::size_t>();
-  fmt::print("vectors {} {}: {} frames, {} streams, {} words in {}\n", set.scene, set.config, frames.size(),
+  fmt::print("vectors {} {}: {} frames, {} streams, {} words in {}\n", set.scene, configuration.name(), frames.size(),
              json["streams"].size(), words, options.out);
   write_json(options.json, json);
 }
@@ -70,7 +69,7 @@ void add_vectors(CLI::App& app, int&) {
       "Annotated corner cases come first, then random frames, then the frame of SCENE; `standard` as SCENE stands\n"
       "for the first two alone. Each stream is a text file that $readmemh reads; manifest.json tells the fields.\n");
   add_scene_options(command, options->input);
-  command->add_option("--lanes", options->lanes, "pixels a stamp: 1, 2, 4, 8, 16")->capture_default_str();
+  command->add_option("--lanes", options->lanes, "pixels a stamp: 1, 2, 4, 8, 16; default: the configuration's");
   command->add_option("--out", options->out, "folder to write")->required();
   command->add_option("--seed", options->seed, "of the random frames")->capture_default_str();
   command->add_flag("--corners,!--no-corners", options->corners, "corner cases and random frames before the scene");

@@ -27,14 +27,20 @@ class Raster {
   explicit Raster(const SnappedList& list) : list_(list), one_(std::int64_t(1) << list.format.subpixel_bits) {
     const std::size_t pixels = std::size_t(list.width) * list.height;
     const std::uint32_t full = full_depth(list.format.depth_bits);
-    const auto& [r, g, b] = list.background;
+    const double scale = 255.0 / full_depth(colour_bits());
+    std::array<std::uint8_t, 4> background{0, 0, 0, 255};
+    std::array<double, 3> exact_background;
+    for (int c = 0; c < 3; ++c) {
+      background[c] = displayed_colour(list.background[c], colour_bits());
+      exact_background[c] = list.background[c] * scale;
+    }
     frame_ = {list.width,
               list.height,
               std::vector<std::uint32_t>(pixels, 0),
               std::vector<std::uint32_t>(pixels, full),
-              std::vector<std::array<std::uint8_t, 4>>(pixels, {r, g, b, 255}),
+              std::vector<std::array<std::uint8_t, 4>>(pixels, background),
               std::vector<double>(pixels, full),
-              std::vector<std::array<double, 3>>(pixels, {double(r), double(g), double(b)}),
+              std::vector<std::array<double, 3>>(pixels, exact_background),
               std::vector<bool>(list.triangles.size(), false)};
   }
 
@@ -45,6 +51,7 @@ class Raster {
   }
 
  private:
+  int colour_bits() const { return list_.format.colour_bits; }
   std::int64_t centre(std::int64_t pixel) const { return pixel * one_ + one_ / 2; }
   // The pixels of a row (column) of `size` whose centres lie in [low, high].
   Span pixels_between(std::int64_t low, std::int64_t high, int size) const {
@@ -100,8 +107,8 @@ class Raster {
         const Plane colour(t, {snapped.rgb[0][c], snapped.rgb[1][c], snapped.rgb[2][c]});
         for (std::size_t i = at; i < end; ++i) {
           const Wide numerator = numerator_at(colour, i);
-          frame_.exact_colour[i][c] = colour.exact(numerator);
-          frame_.colour[i][c] = static_cast<std::uint8_t>(colour.rounded(numerator));
+          frame_.exact_colour[i][c] = colour.exact(numerator) * (255.0 / full_depth(colour_bits()));
+          frame_.colour[i][c] = displayed_colour(static_cast<unsigned>(colour.rounded(numerator)), colour_bits());
         }
       }
     }

@@ -22,7 +22,7 @@ struct Frame {
   std::vector<std::uint32_t> index;                 // 0 background, k the k-th triangle
   std::vector<std::uint32_t> depth;                 // background 2^b - 1
   std::vector<std::array<std::uint8_t, 4>> colour;  // r, g, b, 255
-  // Of the triangle that is visible, before rounding.
+  // Of the triangle that is visible, before rounding; colours of 0 … 255.
   std::vector<double> exact_depth;
   std::vector<std::array<double, 3>> exact_colour;
   std::vector<bool> visible;  // triangle k at [k - 1]: has a fragment passed the test when it was drawn?

@@ -45,7 +45,9 @@ std::string remedy(const TriangleList& list, const std::vector<RasterFormat>& ot
   return "no configuration takes it, so make the frame or the scene smaller";
 }
 
-std::uint8_t snapped_colour(double value) { return static_cast<std::uint8_t>(std::round(value)); }
+std::uint8_t snapped_colour(double value, int bits) {
+  return static_cast<std::uint8_t>(std::round(value * (full_depth(bits) / 255.0)));
+}
 
 }  // namespace
 
@@ -61,7 +63,7 @@ SnappedList snap(const TriangleList& list, const RasterFormat& format,
   if (!reason.empty()) throw Error(reason + "; " + remedy(list, others));
 
   SnappedList snapped{format, list.width, list.height, {}, {}};
-  for (int c = 0; c < 3; ++c) snapped.background[c] = snapped_colour(list.background[c]);
+  for (int c = 0; c < 3; ++c) snapped.background[c] = snapped_colour(list.background[c], format.colour_bits);
   snapped.triangles.reserve(list.triangles.size());
   for (const auto& triangle : list.triangles) {
     SnappedTriangle& s = snapped.triangles.emplace_back();
@@ -70,7 +72,8 @@ SnappedList snap(const TriangleList& list, const RasterFormat& format,
       s.x[v] = static_cast<std::int32_t>(snapped_position(vertex.x, format.subpixel_bits));
       s.y[v] = static_cast<std::int32_t>(snapped_position(vertex.y, format.subpixel_bits));
       s.depth[v] = static_cast<std::uint32_t>(std::round(vertex.z * full_depth(format.depth_bits)));
-      s.rgb[v] = {snapped_colour(vertex.r), snapped_colour(vertex.g), snapped_colour(vertex.b)};
+      const int bits = format.colour_bits;
+      s.rgb[v] = {snapped_colour(vertex.r, bits), snapped_colour(vertex.g, bits), snapped_colour(vertex.b, bits)};
     }
   }
   return snapped;
@@ -80,15 +83,15 @@ SnappedList snap(const TriangleList& list, const RasterFormat& format,
 // from ½.
 TriangleList unsnap(const SnappedList& list) {
   TriangleList out{list.width, list.height, {}, {}};
-  for (int c = 0; c < 3; ++c) out.background[c] = list.background[c];
-  const double full = full_depth(list.format.depth_bits);
+  for (int c = 0; c < 3; ++c) out.background[c] = list.background[c] * (255.0 / full_depth(list.format.colour_bits));
+  const double full = full_depth(list.format.depth_bits), colour = 255.0 / full_depth(list.format.colour_bits);
   const int f = list.format.subpixel_bits;
   out.triangles.reserve(list.triangles.size());
   for (const SnappedTriangle& s : list.triangles) {
     auto& triangle = out.triangles.emplace_back();
     for (int v = 0; v < 3; ++v) {
       triangle[v] = {std::ldexp(s.x[v], -f), std::ldexp(s.y[v], -f), s.depth[v] / full,
-                     double(s.rgb[v][0]),    double(s.rgb[v][1]),    double(s.rgb[v][2])};
+                     s.rgb[v][0] * colour,    s.rgb[v][1] * colour,    s.rgb[v][2] * colour};
     }
   }
   return out;

@@ -20,23 +20,30 @@ struct RasterFormat {
   int range_bits;     // positions lie in [-2^(range_bits-1), 2^(range_bits-1)) pixels
   int subpixel_bits;  // f, fraction bits of a position, 1 or more
   int depth_bits;     // b, bits of a stored depth, 32 or less
+  int colour_bits = 8;  // bits of a channel, 8 or less
 };
 
 struct SnappedTriangle {
   std::array<std::int32_t, 3> x, y;  // f fraction bits
   std::array<std::uint32_t, 3> depth;
-  std::array<std::array<std::uint8_t, 3>, 3> rgb;  // [vertex][channel]
+  std::array<std::array<std::uint8_t, 3>, 3> rgb;  // [vertex][channel], of colour_bits
 };
 
 struct SnappedList {
   RasterFormat format;
   int width, height;
-  std::array<std::uint8_t, 3> background;
+  std::array<std::uint8_t, 3> background;  // of colour_bits
   std::vector<SnappedTriangle> triangles;
 };
 
 // 2^b - 1: the depth of the background.
 constexpr std::uint32_t full_depth(int depth_bits) { return 0xffffffffu >> (32 - depth_bits); }
+
+// A channel of `bits` as the 0 … 255 of a picture.
+constexpr std::uint8_t displayed_colour(unsigned value, int bits) {
+  const unsigned full = (1u << bits) - 1;
+  return static_cast<std::uint8_t>(bits == 8 ? value : (value * 255 + full / 2) / full);
+}
 
 // A position in units of 2^-f pixels, ties to even, still a double as it may be beyond any integer.
 double snapped_position(double pixels, int subpixel_bits);

@@ -6,6 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "hls/configs/high.hpp"
+#include "hls/configs/low.hpp"
+#include "hls/configs/middle.hpp"
 #include "hls/raster_pineda.hpp"
 #include "hls/triangle_setup.hpp"
 #include "ref/raster.hpp"
@@ -31,7 +34,7 @@ class CoverageKernel {
     triangle_.write(t);
     triangle_setup(frame_, triangle_, setup_, attributes_);
     if (!attributes_.empty()) attributes_.read();
-    raster_pineda(frame_, setup_, stamp_);
+    raster_pineda(frame_, setup_, stamp_, visits_);
     std::fill(covered_.begin(), covered_.end(), 0);
     stamps = covered_stamps = last_flags = outside = 0;
     while (!stamp_.empty()) {
@@ -72,6 +75,7 @@ class CoverageKernel {
   Stream<Setup<F>> setup_;
   Stream<Attributes<F>> attributes_;
   Stream<Stamp<F>> stamp_;
+  Probe<int> visits_;
   std::vector<int> covered_;
 };
 

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <random>
 
+#include "hls/configs/high.hpp"
+#include "hls/configs/low.hpp"
+#include "hls/configs/middle.hpp"
 #include "hls/pipeline.hpp"
 #include "ref/raster.hpp"
 
@@ -57,7 +60,7 @@ class PlaneProbe {
     const Planes<F> planes = planes_.read();
     const Setup<F> setup = setup_.read();
     setup_.write(setup);
-    raster_pineda(frame_, setup_, stamp_);
+    raster_pineda(frame_, setup_, stamp_, visits_);
     while (!stamp_.empty()) {
       const Stamp<F> s = stamp_.read();
       for (int l = 0; l < F::kLanes; ++l) {
@@ -109,6 +112,7 @@ class PlaneProbe {
   Stream<Attributes<F>> attributes_;
   Stream<Planes<F>> planes_;
   Stream<Stamp<F>> stamp_;
+  Probe<int> visits_;
 };
 
 template <class F>

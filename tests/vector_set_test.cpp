@@ -36,14 +36,14 @@ class VectorSet : public testing::TestWithParam<const char*> {
     const ref::RasterFormat format = vectors::raster_format(GetParam());
     std::vector<vectors::NamedFrame> frames = vectors::corner_frames(format);
     for (auto& frame : vectors::random_frames(format, seed, 4, 60)) frames.push_back(std::move(frame));
-    return vectors::write_vector_set((folder_ / name).string(), {"standard", GetParam(), 4, seed}, frames, nullptr);
+    return vectors::write_vector_set((folder_ / name).string(), {"standard", vectors::find_configuration(GetParam()), 4, seed}, frames, nullptr);
   }
   fs::path folder_ = fs::temp_directory_path() / ("halfspace_vector_set_test_" + std::to_string(getpid()));
 };
 
 TEST_P(VectorSet, PackageIsTheCommittedOne) {
   const fs::path file = fs::path(HALFSPACE_SOURCE) / "rtl" / GetParam() / "hs_formats_pkg.sv";
-  EXPECT_EQ(text_of(file), vectors::formats_package(GetParam()))
+  EXPECT_EQ(text_of(file), vectors::formats_package(vectors::find_configuration(GetParam())))
       << file << " has drifted: run `halfspace package --config " << GetParam() << " -o " << file.string() << "`";
 }
 

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "hls/formats.hpp"
 #include "ref/error.hpp"
 
 namespace halfspace::vectors {
@@ -12,33 +11,34 @@ std::unique_ptr<Engine> make_engine_low(int lanes);
 std::unique_ptr<Engine> make_engine_middle(int lanes);
 std::unique_ptr<Engine> make_engine_high(int lanes);
 
-namespace {
-
-ref::RasterFormat raster_format(const Config& c) {
-  return {c.name, c.width, c.height, c.triangles, c.range_bits, c.subpixel_bits, c.depth_bits};
-}
-
-}  // namespace
-
 std::vector<ref::RasterFormat> raster_formats() {
-  return {raster_format(Low::config()), raster_format(Middle::config()), raster_format(High::config())};
+  std::vector<ref::RasterFormat> formats;
+  for (const Configuration& c : named_configurations()) formats.push_back(raster_format(c));
+  return formats;
 }
 
-ref::RasterFormat raster_format(const std::string& config) {
-  for (const ref::RasterFormat& format : raster_formats()) {
-    if (format.name == config) return format;
-  }
-  throw ref::Error(fmt::format("there is no configuration '{}': use low, middle or high", config));
-}
+ref::RasterFormat raster_format(const std::string& name_or_path) { return raster_format(find_configuration(name_or_path)); }
 
-std::unique_ptr<Engine> make_engine(const std::string& config, int lanes) {
-  std::unique_ptr<Engine> engine;
-  if (config == "low") engine = make_engine_low(lanes);
-  else if (config == "middle") engine = make_engine_middle(lanes);
-  else if (config == "high") engine = make_engine_high(lanes);
-  else raster_format(config);
+std::unique_ptr<Engine> make_engine(const Configuration& configuration, int lanes) {
+  const Config config = configuration.config();
+  auto is_named = [&](const Configuration& c) {
+    if (c.name() != configuration.name()) return false;
+    for (const ConfigField& field : config_fields()) {
+      if (c.config().*field.value != config.*field.value) return false;
+    }
+    return true;
+  };
+  const auto& named = named_configurations();
+  std::unique_ptr<Engine> engine = is_named(named[0])   ? make_engine_low(lanes)
+                                   : is_named(named[1]) ? make_engine_middle(lanes)
+                                   : is_named(named[2]) ? make_engine_high(lanes)
+                                                        : make_runtime_engine(config, format_table(config), lanes);
   if (!engine) throw ref::Error(fmt::format("there is no stamp of {} lanes: use 1, 2, 4, 8 or 16", lanes));
   return engine;
+}
+
+std::unique_ptr<Engine> make_engine(const std::string& name_or_path, int lanes) {
+  return make_engine(find_configuration(name_or_path), lanes);
 }
 
 }  // namespace halfspace::vectors

@@ -9,20 +9,12 @@
 #include <vector>
 
 #include "ref/raster.hpp"
+#include "hls/formats.hpp"
 #include "ref/snap.hpp"
+#include "vectors/configuration.hpp"
 #include "vectors/layout.hpp"
 
 namespace halfspace::vectors {
-
-struct FormatConstant {
-  std::string name;  // as in the RTL package
-  int value;
-};
-struct FormatType {
-  std::string name;
-  int width;
-  bool is_signed;
-};
 
 // Receives the words of one stream of one frame, in order.
 using WordSink = std::function<void(const Layout&, const Word*, std::size_t count)>;
@@ -35,23 +27,27 @@ class Engine {
   virtual int lanes_y() const = 0;
   // In flow order: triangle, setup, attributes, planes, stamp, update, visible, scan, pixel.
   virtual std::vector<Layout> layouts() const = 0;
-  virtual std::vector<FormatConstant> constants() const = 0;
-  virtual std::vector<FormatType> types() const = 0;
 
   // Renders with the kernels. exact_depth and exact_colour stay empty.
   virtual ref::Frame render(const ref::SnappedList& scene) = 0;
   // The picture alone.
   virtual void render_colour(const ref::SnappedList& scene, std::vector<std::array<std::uint8_t, 4>>& colour) = 0;
+  // How many stamps the rasterizer visits for each triangle, covered or not: its cycles.
+  virtual std::vector<int> visits(const ref::SnappedList& scene) = 0;
   // The same frame, each stream told to `sink` once, in flow order.
   virtual void capture(const ref::SnappedList& scene, const WordSink& sink) = 0;
 };
 
-// `lanes` is 1, 2, 4, 8 or 16. Throws ref::Error for a name or number that there is not.
-std::unique_ptr<Engine> make_engine(const std::string& config, int lanes);
+// `lanes` is 1, 2, 4, 8 or 16. Throws ref::Error for a name or number that there is not. Named configurations are
+// compiled; any other is simulated with formats read at run time, several times slower and equal to the bit.
+std::unique_ptr<Engine> make_engine(const Configuration& configuration, int lanes);
+std::unique_ptr<Engine> make_engine(const std::string& name_or_path, int lanes);
+// With formats read at run time whatever the name; `table` may differ from the one that follows from the configuration.
+std::unique_ptr<Engine> make_runtime_engine(const Config& config, const FormatTable& table, int lanes);
 
 // The named configurations, smallest first.
 std::vector<ref::RasterFormat> raster_formats();
-ref::RasterFormat raster_format(const std::string& config);
+ref::RasterFormat raster_format(const std::string& name_or_path);
 
 }  // namespace halfspace::vectors
 

@@ -23,49 +23,6 @@ class KernelEngine : public Engine {
             layout<Update<F>>(),   layout<Visible<F>>(), layout<Scan<F>>(),     layout<Pixel<F>>()};
   }
 
-  std::vector<FormatConstant> constants() const override {
-    return {{"MaxWidth", F::kWidth},
-            {"MaxHeight", F::kHeight},
-            {"Triangles", F::kTriangles},
-            {"XBits", F::kXBits},
-            {"YBits", F::kYBits},
-            {"IndexBits", F::kIndexBits},
-            {"SubpixelBits", F::kSubpixelBits},
-            {"CoordBits", F::kCoordBits},
-            {"DeltaBits", F::kDeltaBits},
-            {"AreaBits", F::kAreaBits},
-            {"EdgeBits", F::kEdgeBits},
-            {"EdgeStepBits", F::kEdgeStepBits},
-            {"ReciprocalFraction", F::kReciprocalFraction},
-            {"ReciprocalBits", F::kReciprocalBits},
-            {"ShiftBits", F::kShiftBits},
-            {"SetupInterval", F::kSetupInterval},
-            {"DepthBits", F::kDepthBits},
-            {"DepthFraction", F::kDepthFraction},
-            {"DepthPlaneBits", F::kDepthPlaneBits},
-            {"ColourBits", F::kColourBits},
-            {"ColourFraction", F::kColourFraction},
-            {"ColourPlaneBits", F::kColourPlaneBits}};
-  }
-
-  std::vector<FormatType> types() const override {
-    return {type<typename F::X>("x"),
-            type<typename F::Y>("y"),
-            type<typename F::Index>("index"),
-            type<typename F::Coord>("coord"),
-            type<typename F::Delta>("delta"),
-            type<typename F::Area>("area"),
-            type<typename F::EdgeStep>("edge_step"),
-            type<typename F::Reciprocal>("reciprocal"),
-            type<typename F::Shift>("shift"),
-            type<typename F::Depth>("depth"),
-            type<typename F::DepthPlane>("depth_plane"),
-            type<typename F::DepthGradient>("depth_gradient"),
-            type<typename F::Colour>("colour"),
-            type<typename F::ColourPlane>("colour_plane"),
-            type<typename F::ColourGradient>("colour_gradient")};
-  }
-
   ref::Frame render(const ref::SnappedList& scene) override {
     ref::Frame frame;
     frame.width = scene.width;
@@ -79,6 +36,16 @@ class KernelEngine : public Engine {
   void render_colour(const ref::SnappedList& scene, std::vector<std::array<std::uint8_t, 4>>& colour) override {
     draw(scene, nullptr);
     scan(scene, colour);
+  }
+
+  std::vector<int> visits(const ref::SnappedList& scene) override {
+    std::vector<int> counts;
+    streams_->visits.tap(&counts);
+    std::vector<std::array<std::uint8_t, 4>> colour;
+    render_colour(scene, colour);
+    streams_->visits.tap(nullptr);
+    counts.resize(scene.triangles.size());  // a frame without triangles has one that is none
+    return counts;
   }
 
   void capture(const ref::SnappedList& scene, const WordSink& sink) override {
@@ -102,11 +69,6 @@ class KernelEngine : public Engine {
   }
 
  private:
-  template <class T>
-  static FormatType type(const char* name) {
-    return {name, T::kWidth, T::kSigned};
-  }
-
   template <class Record>
   static void tell(const std::vector<Record>& records, const WordSink& sink) {
     const Layout words_layout = layout<Record>();
@@ -153,6 +115,10 @@ class KernelEngine : public Engine {
     }
   }
 
+  static std::uint32_t displayed(const typename F::Colour& colour) {
+    return ref::displayed_colour(std::uint32_t(raw(colour)), F::kColourBits);
+  }
+
   // I-buffer and Z-buffer, before the scan-out clears them.
   void copy_buffers(const ref::SnappedList& scene, ref::Frame& frame) const {
     frame.index.resize(std::size_t(scene.width) * scene.height);
@@ -181,7 +147,7 @@ class KernelEngine : public Engine {
         const Pixel<F> in = streams_->pixel.read();
         std::uint32_t rgba[F::kLanes];  // little endian: r first in memory
         for (int l = 0; l < F::kLanes; ++l) {
-          rgba[l] = raw(in.r[l]) | raw(in.g[l]) << 8 | raw(in.b[l]) << 16 | 255u << 24;
+          rgba[l] = displayed(in.r[l]) | displayed(in.g[l]) << 8 | displayed(in.b[l]) << 16 | 255u << 24;
         }
         const int x = int(raw(in.x)) * F::kLanesX, y = int(raw(in.y)) * F::kLanesY;
         const int columns = scene.width - x, rows = std::min(F::kLanesY, scene.height - y);
@@ -198,17 +164,25 @@ class KernelEngine : public Engine {
   std::unique_ptr<Buffers<F>> buffers_ = std::make_unique<Buffers<F>>();
 };
 
+// make(stamp) for the stamp of this many lanes; null if there is none.
+template <class Make>
+std::unique_ptr<Engine> with_stamp(int lanes, Make make) {
+  switch (lanes) {
+    case 1: return make(Stamp1());
+    case 2: return make(Stamp2());
+    case 4: return make(Stamp4());
+    case 8: return make(Stamp8());
+    case 16: return make(Stamp16());
+  }
+  return nullptr;
+}
+
 // Engine of configuration C with the given number of lanes; null if there is no such stamp.
 template <class C>
 std::unique_ptr<Engine> make_kernel_engine(int lanes) {
-  switch (lanes) {
-    case 1: return std::make_unique<KernelEngine<Formats<C, Stamp1>>>();
-    case 2: return std::make_unique<KernelEngine<Formats<C, Stamp2>>>();
-    case 4: return std::make_unique<KernelEngine<Formats<C, Stamp4>>>();
-    case 8: return std::make_unique<KernelEngine<Formats<C, Stamp8>>>();
-    case 16: return std::make_unique<KernelEngine<Formats<C, Stamp16>>>();
-  }
-  return nullptr;
+  return with_stamp(lanes, [](auto stamp) -> std::unique_ptr<Engine> {
+    return std::make_unique<KernelEngine<Formats<C, decltype(stamp)>>>();
+  });
 }
 
 }  // namespace halfspace::vectors

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "hls/configs/low.hpp"
 #include "vectors/engine_impl.hpp"
 
 namespace halfspace::vectors {

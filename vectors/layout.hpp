@@ -38,14 +38,14 @@ class LayoutVisitor {
  public:
   explicit LayoutVisitor(Layout& layout) : layout_(layout) {}
 
-  template <int W, int I, bool S>
-  void operator()(const char* name, const Fixed<W, I, S>&) {
-    add(name, W, 1, S, W - I);
-    layout_.head_bits += W;
+  template <class T>
+  void operator()(const char* name, const T&) {
+    add(name, T::width(), 1, T::kSigned, T::fraction());
+    layout_.head_bits += T::width();
   }
-  template <int W, int I, bool S, std::size_t N>
-  void lanes(const char* name, const Fixed<W, I, S> (&)[N]) {
-    add(name, W, int(N), S, W - I);
+  template <class T, std::size_t N>
+  void lanes(const char* name, const T (&)[N]) {
+    add(name, T::width(), int(N), T::kSigned, T::fraction());
   }
 
  private:
@@ -62,15 +62,17 @@ class PackVisitor {
  public:
   PackVisitor(Word& word, int bits) : word_(word), at_(bits) {}
 
-  template <int W, int I, bool S>
-  void operator()(const char*, const Fixed<W, I, S>& value) {
-    at_ -= W;
-    put(at_, W, static_cast<std::uint64_t>(raw(value)));
+  template <class T>
+  void operator()(const char*, const T& value) {
+    const int width = T::width();
+    at_ -= width;
+    put(at_, width, static_cast<std::uint64_t>(raw(value)));
   }
-  template <int W, int I, bool S, std::size_t N>
-  void lanes(const char*, const Fixed<W, I, S> (&values)[N]) {
-    at_ -= W * int(N);
-    for (std::size_t l = 0; l < N; ++l) put(at_ + W * int(l), W, static_cast<std::uint64_t>(raw(values[l])));
+  template <class T, std::size_t N>
+  void lanes(const char*, const T (&values)[N]) {
+    const int width = T::width();
+    at_ -= width * int(N);
+    for (std::size_t l = 0; l < N; ++l) put(at_ + width * int(l), width, static_cast<std::uint64_t>(raw(values[l])));
   }
 
  private:

@@ -36,24 +36,61 @@ std::string record(const Layout& layout) {
 
 }  // namespace
 
-std::string formats_package(const std::string& config) {
-  // Any number of lanes would do: nothing printed depends on it.
-  const auto engine = make_engine(config, 2);
+std::string formats_package(const Configuration& configuration) {
+  const Config c = configuration.config();
+  const FormatTable t = format_table(c);
+  const std::pair<const char*, int> constants[] = {
+      {"MaxWidth", c.width},
+      {"MaxHeight", c.height},
+      {"Triangles", c.triangles},
+      {"XBits", t.x.width},
+      {"YBits", t.y.width},
+      {"IndexBits", t.index.width},
+      {"SubpixelBits", c.subpixel_bits},
+      {"CoordBits", t.coord.width},
+      {"DeltaBits", t.delta.width},
+      {"AreaBits", t.area.width},
+      {"EdgeBits", t.edge.width},
+      {"EdgeStepBits", t.edge_step.width},
+      {"ReciprocalFraction", c.reciprocal_bits},
+      {"ReciprocalBits", t.reciprocal.width},
+      {"ShiftBits", t.shift.width},
+      {"SetupInterval", setup_interval(c)},
+      {"DepthBits", t.depth.width},
+      {"DepthFraction", c.depth_fraction},
+      {"DepthPlaneBits", t.depth_plane.width},
+      {"ColourBits", t.colour.width},
+      {"ColourFraction", c.colour_fraction},
+      {"ColourPlaneBits", t.colour_plane.width}};
+  const std::pair<const char*, NumberFormat> types[] = {
+      {"x", t.x},
+      {"y", t.y},
+      {"index", t.index},
+      {"coord", t.coord},
+      {"delta", t.delta},
+      {"area", t.area},
+      {"edge_step", t.edge_step},
+      {"reciprocal", t.reciprocal},
+      {"shift", t.shift},
+      {"depth", t.depth},
+      {"depth_plane", t.depth_plane},
+      {"depth_gradient", t.depth_gradient},
+      {"colour", t.colour},
+      {"colour_plane", t.colour_plane},
+      {"colour_gradient", t.colour_gradient}};
+
   std::string text = fmt::format(
       "// SPDX-License-Identifier: Apache-2.0\n"
       "// Number formats of configuration `{0}`. Printed by `halfspace package --config {0}` from hls/formats.hpp\n"
       "// and hls/records.hpp: change those, not this file.\n"
       "package hs_formats_pkg;\n\n",
-      config);
-  for (const FormatConstant& constant : engine->constants()) {
-    text += fmt::format("  localparam int unsigned {} = {};\n", constant.name, constant.value);
-  }
+      configuration.name());
+  for (const auto& [name, value] : constants) text += fmt::format("  localparam int unsigned {} = {};\n", name, value);
   text += "\n";
-  for (const FormatType& type : engine->types()) {
-    text += fmt::format("  typedef {}{}_t;\n", range(type.width, type.is_signed), type.name);
-  }
+  for (const auto& [name, format] : types) text += fmt::format("  typedef {}{}_t;\n", range(format.width, format.is_signed), name);
   text += "\n";
-  for (const Layout& layout : engine->layouts()) text += record(layout);
+  // Any number of lanes would do: nothing printed depends on it.
+  for (const Layout& layout : make_engine(configuration, 2)->layouts()) text += record(layout);
   return text + "endpackage\n";
 }
 

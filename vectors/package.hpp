@@ -5,10 +5,12 @@
 
 #include <string>
 
+#include "vectors/configuration.hpp"
+
 namespace halfspace::vectors {
 
 // The text of rtl/<config>/hs_formats_pkg.sv.
-std::string formats_package(const std::string& config);
+std::string formats_package(const Configuration&);
 
 }  // namespace halfspace::vectors
 

@@ -95,12 +95,13 @@ std::string write_vector_set(const std::string& folder, const VectorSetOptions& 
                              const std::vector<NamedFrame>& frames,
                              const std::function<void(std::size_t, std::size_t)>& progress) {
   if (frames.empty()) throw ref::Error("a vector set needs a frame at least: name a scene");
-  const auto engine = make_engine(options.config, options.lanes);
+  const Configuration& configuration = options.configuration;
+  const auto engine = make_engine(configuration, options.lanes);
   StagedFolder staged(folder);
   std::map<std::string, HexFile> files;
   for (const Layout& layout : engine->layouts()) {
     files.emplace(layout.stream, HexFile(staged.path(layout.stream + ".hex"), layout));
-    files.at(layout.stream).comment(fmt::format("{} {} lanes {}: {} bits a word", layout.stream, options.config,
+    files.at(layout.stream).comment(fmt::format("{} {} lanes {}: {} bits a word", layout.stream, configuration.name(),
                                                 options.lanes, layout.bits));
   }
 
@@ -125,7 +126,7 @@ std::string write_vector_set(const std::string& folder, const VectorSetOptions& 
   for (const Layout& layout : engine->layouts()) streams.push_back(files.at(layout.stream).close());
   const Json manifest = {{"format", "halfspace-vectors 1"},
                          {"scene", options.scene},
-                         {"config", options.config},
+                         {"config", configuration.name()},
                          {"lanes_x", engine->lanes_x()},
                          {"lanes_y", engine->lanes_y()},
                          {"seed", options.seed},

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ref/snap.hpp"
+#include "vectors/configuration.hpp"
 
 namespace halfspace::vectors {
 
@@ -18,7 +19,7 @@ struct NamedFrame {
 
 struct VectorSetOptions {
   std::string scene;   // name in the manifest
-  std::string config;
+  Configuration configuration = find_configuration("middle");
   int lanes = 4;
   std::uint64_t seed = 0;  // of the random frames; 0 if there are none
 };

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// halfspace config and halfspace package
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "cli/commands.hpp"
+#include "vectors/configuration.hpp"
+#include "vectors/format_fields.hpp"
+#include "vectors/package.hpp"
+#include "vectors/staging.hpp"
+
+namespace halfspace::cli {
+namespace {
+
+using vectors::Configuration;
+
+Json config_json(const Configuration& configuration) {
+  const Config c = configuration.config();
+  Json json = {{"name", configuration.name()}};
+  for (const auto& field : vectors::config_fields()) json[field.name] = c.*field.value;
+  const FormatTable table = format_table(c);
+  for (const auto& field : vectors::format_fields()) {
+    const NumberFormat format = table.*field.format;
+    json["formats"][field.name] = {{"width", format.width}, {"integer", format.integer}, {"signed", format.is_signed}};
+  }
+  return json;
+}
+
+// Columns of the configurations beside each other; in Markdown for the documentation.
+void print_table(const std::vector<Configuration>& configurations, bool markdown) {
+  auto row = [&](const std::string& first, const std::vector<std::string>& cells, const std::string& why) {
+    std::string line = markdown ? "| " + first : fmt::format("{:<22}", first);
+    for (const std::string& cell : cells) line += markdown ? " | " + cell : fmt::format(" {:>12}", cell);
+    line += markdown ? " | " + why + " |" : "  " + why;
+    fmt::print("{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
+  };
+  std::vector<std::string> names, rule;
+  for (const Configuration& c : configurations) names.push_back(c.name()), rule.push_back("---");
+  row("", names, "");
+  if (markdown) row("---", rule, "---");
+  for (const auto& field : vectors::config_fields()) {
+    std::vector<std::string> cells;
+    for (const Configuration& c : configurations) cells.push_back(std::to_string(c.config().*field.value));
+    row(field.name, cells, field.what);
+  }
+  for (const auto& field : vectors::format_fields()) {
+    std::vector<std::string> cells;
+    for (const Configuration& c : configurations) cells.push_back(vectors::format_name(format_table(c.config()).*field.format));
+    row(field.name, cells, field.why);
+  }
+}
+
+struct Options {
+  std::vector<std::string> configurations = {"low", "middle", "high"};
+  std::string header, toml, json;
+  bool markdown = false;
+};
+
+void config(const Options& options) {
+  std::vector<Configuration> configurations;
+  for (const std::string& name : options.configurations) configurations.push_back(vectors::find_configuration(name));
+  if ((!options.header.empty() || !options.toml.empty()) && configurations.size() != 1) {
+    throw CLI::ValidationError("--header and --toml", "are of one configuration: name it");
+  }
+  if (!options.header.empty()) vectors::write_file(options.header, vectors::configuration_header(configurations[0]));
+  if (!options.toml.empty()) vectors::write_file(options.toml, vectors::configuration_toml(configurations[0]));
+  Json json = Json::array();
+  for (const Configuration& c : configurations) json.push_back(config_json(c));
+  write_json(options.json, json);
+  if (options.header.empty() && options.toml.empty()) print_table(configurations, options.markdown);
+}
+
+}  // namespace
+
+void add_config(CLI::App& app, int&) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("config", "show configurations and the widths that follow from them");
+  command->footer(
+      "A configuration is a .toml file: `halfspace config middle --toml mine.toml` writes one to begin with. Every command\n"
+      "takes its path in the place of a name. A combination that cannot be built is refused with its reason.\n");
+  command->add_option("CONFIG", options->configurations, "low, middle, high or .toml files")->capture_default_str();
+  command->add_option("--header", options->header, "C++ header to write, for hls/configs/");
+  command->add_option("--toml", options->toml, "TOML file to write");
+  command->add_flag("--markdown", options->markdown, "the table in Markdown");
+  command->add_option("--json", options->json, "file for the numbers");
+  command->callback([options] { config(*options); });
+}
+
+void add_package(CLI::App& app, int&) {
+  auto config = std::make_shared<std::string>("middle");
+  auto output = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand("package", "print the SystemVerilog package of a configuration");
+  command->add_option("--config", *config, "low, middle, high or a .toml file")->capture_default_str();
+  command->add_option("-o,--output", *output, "file to write; default: standard output");
+  command->callback([config, output] {
+    const std::string text = vectors::formats_package(vectors::find_configuration(*config));
+    if (output->empty()) std::fputs(text.c_str(), stdout);
+    else vectors::write_file(*output, text);
+  });
+}
+
+}  // namespace halfspace::cli

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+// Configurations: files, headers and refusals; and the kernels with formats read at run time against the compiled ones.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <random>
+#include <sstream>
+
+#include "ref/error.hpp"
+#include "vectors/engine.hpp"
+#include "vectors/format_fields.hpp"
+#include "vectors/standard_set.hpp"
+
+namespace halfspace::tests {
+namespace {
+
+using vectors::Configuration;
+
+std::string text_of(const std::string& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::string refusal_of(const std::string& toml) {
+  try {
+    vectors::parse_configuration(toml, "x.toml");
+  } catch (const ref::Error& e) {
+    return e.what();
+  }
+  return "accepted";
+}
+
+// The text of `middle` with one line in the place of another.
+std::string middle_with(const std::string& field, const std::string& line) {
+  std::istringstream in(vectors::configuration_toml(vectors::find_configuration("middle")));
+  std::string text, one;
+  while (std::getline(in, one)) text += (one.rfind(field + " ", 0) == 0 ? line : one) + "\n";
+  return text;
+}
+
+// What the words of all streams of some frames come to.
+std::string streams_of(vectors::Engine& engine, const std::vector<vectors::NamedFrame>& frames) {
+  std::string text;
+  for (const auto& frame : frames) {
+    engine.capture(frame.scene, [&](const vectors::Layout& layout, const vectors::Word* words, std::size_t count) {
+      text += layout.stream;
+      for (std::size_t n = 0; n < count; ++n) vectors::append_hex(text, words[n], layout.bits);
+    });
+  }
+  return text;
+}
+
+TEST(Configuration, HeadersAreWhatTheFilesSay) {
+  for (const Configuration& named : vectors::named_configurations()) {
+    const std::string stem = std::string(HALFSPACE_SOURCE) + "/hls/configs/" + named.name();
+    const Configuration file = vectors::find_configuration(stem + ".toml");
+    EXPECT_EQ(text_of(stem + ".toml"), vectors::configuration_toml(file));
+    EXPECT_EQ(text_of(stem + ".hpp"), vectors::configuration_header(file))
+        << "run `halfspace config " << stem << ".toml --header " << stem << ".hpp`";
+    EXPECT_EQ(file.name(), named.name());
+    EXPECT_EQ(vectors::configuration_toml(file), vectors::configuration_toml(named));
+  }
+}
+
+TEST(Configuration, RefusesWithItsReason) {
+  const std::pair<std::string, std::string> cases[] = {
+      {middle_with("width", "width = 9000"), "width and height are 1 to 8192"},
+      {middle_with("width", "width = 1020"), "raise range_bits"},
+      {middle_with("width", "width = 640.0"), "x.toml:2: width is a whole number"},
+      {middle_with("width", "width 640"), "x.toml:2:"},
+      {middle_with("width", "widht = 640"), "there is no field 'widht'"},
+      {middle_with("width", ""), "the field 'width' is missing"},
+      {middle_with("name", "name = \"../x\""), "a name has letters"},
+      {middle_with("triangles", "triangles = 0"), "triangles is 1 to"},
+      {middle_with("subpixel_bits", "subpixel_bits = 0"), "subpixel_bits is 1 to 12"},
+      {middle_with("depth_bits", "depth_bits = 33"), "depth_bits is 2 to 32"},
+      {middle_with("colour_bits", "colour_bits = 9"), "colour_bits is 1 to 8"},
+      {middle_with("lanes", "lanes = 3"), "lanes is 1, 2, 4, 8 or 16"},
+      {middle_with("reciprocal_bits", "reciprocal_bits = 50"), "reciprocal_bits is 2 to 40"},
+      {middle_with("reciprocal_bits", "reciprocal_bits = 25"), "depth planes can be off by half an LSB"},
+      {middle_with("depth_fraction", "depth_fraction = 11"), "depth planes can be off by half an LSB"},
+      {middle_with("colour_fraction", "colour_fraction = 11"), "colour planes can be off by half an LSB"},
+      {middle_with("colour_fraction", "colour_fraction = 19"), "reciprocal_bits is subpixel_bits +"},
+  };
+  for (const auto& [toml, sentence] : cases) EXPECT_NE(refusal_of(toml).find(sentence), std::string::npos) << refusal_of(toml);
+  EXPECT_EQ(refusal_of(middle_with("lanes", "lanes = 16")), "accepted");
+}
+
+TEST(Configuration, AtRunTimeGivesTheBitsOfTheCompiledKernels) {
+  for (const Configuration& named : vectors::named_configurations()) {
+    const Config config = named.config();
+    std::vector<vectors::NamedFrame> frames = vectors::corner_frames(vectors::raster_format(named));
+    for (auto& frame : vectors::random_frames(vectors::raster_format(named), 5, 8, 60)) frames.push_back(std::move(frame));
+    for (const int lanes : {1, 2, 4, 8, 16}) {
+      SCOPED_TRACE(named.name() + ", lanes " + std::to_string(lanes));
+      const auto compiled = vectors::make_engine(named, lanes);
+      const auto runtime = vectors::make_runtime_engine(config, format_table(config), lanes);
+      const std::string streams = streams_of(*compiled, frames);
+      EXPECT_GT(streams.size(), 100000u);
+      EXPECT_TRUE(streams == streams_of(*runtime, frames));
+    }
+  }
+}
+
+// Two engines of different formats take turns: neither sees the other's.
+TEST(Configuration, EnginesDoNotShareFormats) {
+  const Config low = vectors::find_configuration("low").config(), high = vectors::find_configuration("high").config();
+  const auto frames_low = vectors::random_frames(vectors::raster_format("low"), 3, 2, 20);
+  const auto frames_high = vectors::random_frames(vectors::raster_format("high"), 3, 2, 20);
+  const auto a = vectors::make_runtime_engine(low, format_table(low), 4), b = vectors::make_runtime_engine(high, format_table(high), 4);
+  const std::string first = streams_of(*a, frames_low);
+  streams_of(*b, frames_high);
+  EXPECT_TRUE(first == streams_of(*a, frames_low));
+}
+
+// Configurations that nobody named: coverage is exact and the bounds hold, whatever the numbers.
+TEST(Configuration, OfRandomNumbersIsAcceptedOrRefusedAndRight) {
+  std::mt19937 random(11);
+  auto in = [&](int low, int high) { return low + int(random() % unsigned(high - low + 1)); };
+  int accepted = 0;
+  for (int n = 0; n < 4000 && accepted < 60; ++n) {
+    const Config numbers{"",         in(1, 300), in(1, 200), in(100, 5000), in(8, 14), in(1, 10),
+                         in(2, 30), in(1, 8),    in(8, 38),  in(6, 22),    in(6, 22),  1 << in(0, 4)};
+    if (refusal(numbers) != Refusal::kNone) continue;
+    ++accepted;
+    const Configuration configuration("random", numbers);
+    SCOPED_TRACE(vectors::configuration_toml(configuration));
+    const auto engine = vectors::make_engine(configuration, numbers.lanes);
+    for (const auto& frame : vectors::random_frames(vectors::raster_format(configuration), n, 2, 40)) {
+      const ref::Frame kernels = engine->render(frame.scene), reference = ref::render(frame.scene);
+      for (std::size_t at = 0; at < reference.index.size(); ++at) {
+        ASSERT_EQ(kernels.index[at] != 0, reference.index[at] != 0) << "pixel " << at;
+        if (kernels.index[at] != reference.index[at]) continue;
+        ASSERT_LE(std::abs(std::int64_t(kernels.depth[at]) - std::int64_t(reference.depth[at])), 1) << "pixel " << at;
+      }
+    }
+  }
+  EXPECT_EQ(accepted, 60);
+}
+
+}  // namespace
+}  // namespace halfspace::tests

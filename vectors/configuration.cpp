@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vectors/configuration.hpp"
+
+#include <fmt/format.h>
+#define TOML_EXCEPTIONS 1
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cctype>
+#include <sstream>
+
+#include "hls/configs/high.hpp"
+#include "hls/configs/low.hpp"
+#include "hls/configs/middle.hpp"
+#include "ref/error.hpp"
+
+namespace halfspace::vectors {
+
+const std::vector<ConfigField>& config_fields() {
+  static const std::vector<ConfigField> fields = {
+      {"width", &Config::width, "largest frame, pixels"},
+      {"height", &Config::height, ""},
+      {"triangles", &Config::triangles, "a frame"},
+      {"range_bits", &Config::range_bits, "vertices lie within ±2^(range_bits−1) pixels: the guard band"},
+      {"subpixel_bits", &Config::subpixel_bits, "f: fraction bits of a vertex position"},
+      {"depth_bits", &Config::depth_bits, "of a stored depth"},
+      {"colour_bits", &Config::colour_bits, "of a channel"},
+      {"reciprocal_bits", &Config::reciprocal_bits, "r: fraction bits of the reciprocal of the area"},
+      {"depth_fraction", &Config::depth_fraction, "g: fraction bits of the gradients of depth"},
+      {"colour_fraction", &Config::colour_fraction, "g: fraction bits of the gradients of colour"},
+      {"lanes", &Config::lanes, "pixels a cycle, where the command line says nothing"}};
+  return fields;
+}
+
+std::string refusal_text(Refusal refusal) {
+  switch (refusal) {
+    case Refusal::kNone: return "it is accepted";
+    case Refusal::kFrameSize: return "width and height are 1 to 8192 pixels";
+    case Refusal::kTriangles: return "triangles is 1 to 4194304";
+    case Refusal::kSubpixelBits: return "subpixel_bits is 1 to 12";
+    case Refusal::kDepthBits: return "depth_bits is 2 to 32";
+    case Refusal::kColourBits: return "colour_bits is 1 to 8";
+    case Refusal::kLanes: return "lanes is 1, 2, 4, 8 or 16";
+    case Refusal::kFractionBits: return "reciprocal_bits is 2 to 40, depth_fraction and colour_fraction are 1 to 40";
+    case Refusal::kFrameOutsideRange:
+      return "the frame and 12 pixels around it do not lie within the range of positions: raise range_bits (20 at most) or make "
+             "the frame smaller";
+    case Refusal::kDepthError:
+      return "the depth planes can be off by half an LSB or more: raise reciprocal_bits or depth_fraction";
+    case Refusal::kColourError:
+      return "the colour planes can be off by half an LSB or more: raise reciprocal_bits or colour_fraction";
+    case Refusal::kReciprocalShort:
+      return "a gradient would keep more fraction bits than its reciprocal has: reciprocal_bits is subpixel_bits + the larger of "
+             "depth_fraction and colour_fraction, or more";
+    case Refusal::kEdgeWord:
+      return "an edge function is wider than 64 bits: lower range_bits or subpixel_bits";
+    case Refusal::kNumeratorWord:
+      return "the numerator of a gradient is wider than 64 bits: lower depth_bits, range_bits or subpixel_bits";
+    case Refusal::kGradientWord:
+      return "half the product with the reciprocal is wider than 64 bits: lower reciprocal_bits, depth_bits or range_bits";
+    case Refusal::kStartWord:
+      return "the start of a plane is wider than 63 bits: lower depth_fraction, colour_fraction or subpixel_bits";
+    case Refusal::kShadeWord: return "a colour gradient times a coordinate is wider than 64 bits: lower colour_fraction";
+  }
+  return "unknown reason";
+}
+
+Configuration::Configuration(std::string name, const Config& numbers) : name_(std::move(name)), numbers_(numbers) {
+  const bool plain = std::all_of(name_.begin(), name_.end(), [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; });
+  if (name_.empty() || !plain) {
+    throw ref::Error(fmt::format("configuration '{}': a name has letters, digits, '_' and '-' only", name_));
+  }
+  if (const Refusal reason = refusal(numbers_); reason != Refusal::kNone) {
+    throw ref::Error(fmt::format("configuration {} is refused: {}", name_, refusal_text(reason)));
+  }
+}
+
+Config Configuration::config() const {
+  Config c = numbers_;
+  c.name = name_.c_str();
+  return c;
+}
+
+const std::vector<Configuration>& named_configurations() {
+  static const std::vector<Configuration> named = {
+      {"low", Low::config()}, {"middle", Middle::config()}, {"high", High::config()}};
+  return named;
+}
+
+Configuration find_configuration(const std::string& name_or_path) {
+  for (const Configuration& c : named_configurations()) {
+    if (c.name() == name_or_path) return c;
+  }
+  const std::string ending = ".toml";
+  if (name_or_path.size() <= ending.size() ||
+      name_or_path.compare(name_or_path.size() - ending.size(), ending.size(), ending) != 0) {
+    throw ref::Error(fmt::format("there is no configuration '{}': use low, middle, high or the path of a .toml file", name_or_path));
+  }
+  std::ifstream file(name_or_path);
+  std::ostringstream text;
+  if (!file || !(text << file.rdbuf())) {
+    throw ref::Error(fmt::format("{}: cannot be read: check the path of the configuration", name_or_path));
+  }
+  return parse_configuration(text.str(), name_or_path);
+}
+
+Configuration parse_configuration(const std::string& text, const std::string& source) {
+  toml::table table;
+  try {
+    table = toml::parse(text);
+  } catch (const toml::parse_error& e) {
+    throw ref::Error(fmt::format("{}:{}: {}: write a line `name = value` a field", source, e.source().begin.line,
+                                 std::string(e.description())));
+  }
+  Config numbers{};
+  std::string name;
+  for (const auto& [key, node] : table) {
+    const std::string field(key.str());
+    const auto line = node.source().begin.line;
+    if (field == "name") {
+      const auto value = node.value_exact<std::string>();
+      if (!value) throw ref::Error(fmt::format("{}:{}: name is a string in quotes", source, line));
+      name = *value;
+      continue;
+    }
+    const auto& fields = config_fields();
+    const auto at = std::find_if(fields.begin(), fields.end(), [&](const ConfigField& f) { return field == f.name; });
+    if (at == fields.end()) {
+      std::string known = "name";
+      for (const ConfigField& f : fields) known += fmt::format(", {}", f.name);
+      throw ref::Error(fmt::format("{}:{}: there is no field '{}': the fields are {}", source, line, field, known));
+    }
+    const auto value = node.value_exact<std::int64_t>();
+    if (!value || *value < 0 || *value > 1 << 30) {
+      throw ref::Error(fmt::format("{}:{}: {} is a whole number of 0 or more", source, line, field));
+    }
+    numbers.*at->value = int(*value);
+  }
+  if (name.empty()) throw ref::Error(fmt::format("{}: the field 'name' is missing: add a line name = \"…\"", source));
+  for (const ConfigField& f : config_fields()) {
+    if (!table.contains(f.name)) {
+      throw ref::Error(fmt::format("{}: the field '{}' is missing: add a line {} = …", source, f.name, f.name));
+    }
+  }
+  try {
+    return Configuration(name, numbers);
+  } catch (const ref::Error& e) {
+    throw ref::Error(fmt::format("{}: {}", source, e.what()));
+  }
+}
+
+std::string configuration_toml(const Configuration& configuration) {
+  std::string text = fmt::format("name = \"{}\"\n", configuration.name());
+  const Config c = configuration.config();
+  for (const ConfigField& field : config_fields()) {
+    const std::string line = fmt::format("{} = {}", field.name, c.*field.value);
+    text += *field.what ? fmt::format("{:<24}# {}\n", line, field.what) : line + "\n";
+  }
+  return text;
+}
+
+std::string configuration_header(const Configuration& configuration) {
+  std::string type, numbers, guard;
+  bool upper = true;
+  for (const char c : configuration.name()) {
+    const bool letter = std::isalnum(static_cast<unsigned char>(c));
+    guard += letter ? char(std::toupper(static_cast<unsigned char>(c))) : '_';
+    if (letter) type += upper ? char(std::toupper(static_cast<unsigned char>(c))) : c;
+    upper = !letter;
+  }
+  if (type.empty() || std::isdigit(static_cast<unsigned char>(type[0]))) type = "Configuration" + type;
+  const Config c = configuration.config();
+  for (const ConfigField& field : config_fields()) numbers += fmt::format(", {}", c.*field.value);
+  return fmt::format(
+      "// SPDX-License-Identifier: Apache-2.0\n"
+      "// Configuration `{0}` for the kernels, in the order of Config. Printed by `halfspace config {0} --header FILE` from its\n"
+      "// .toml file: change that, not this one.\n"
+      "#ifndef HALFSPACE_CONFIGS_{1}_HPP_\n"
+      "#define HALFSPACE_CONFIGS_{1}_HPP_\n\n"
+      "#include \"../config.hpp\"\n\n"
+      "namespace halfspace {{\n\n"
+      "struct {2} {{\n"
+      "  static constexpr Config config() {{ return {{\"{0}\"{3}}}; }}\n"
+      "}};\n\n"
+      "}}  // namespace halfspace\n\n"
+      "#endif  // HALFSPACE_CONFIGS_{1}_HPP_\n",
+      configuration.name(), guard, type, numbers);
+}
+
+ref::RasterFormat raster_format(const Configuration& configuration) {
+  const Config c = configuration.config();
+  return {configuration.name(), c.width, c.height, c.triangles, c.range_bits, c.subpixel_bits, c.depth_bits, c.colour_bits};
+}
+
+}  // namespace halfspace::vectors

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Configurations by name or from a file: TOML with the fields of Config, all of them, and nothing else.
+#ifndef HALFSPACE_VECTORS_CONFIGURATION_HPP_
+#define HALFSPACE_VECTORS_CONFIGURATION_HPP_
+
+#include <string>
+#include <vector>
+
+#include "hls/config.hpp"
+#include "ref/snap.hpp"
+
+namespace halfspace::vectors {
+
+// A number of a Config by the name it has in the file.
+struct ConfigField {
+  const char* name;
+  int Config::*value;
+  const char* what;
+};
+const std::vector<ConfigField>& config_fields();
+
+// A Config that was accepted, with the name that it points to.
+class Configuration {
+ public:
+  // Throws ref::Error with the reason of a refusal. The name is letters, digits, '_' and '-'.
+  Configuration(std::string name, const Config& numbers);
+
+  const std::string& name() const { return name_; }
+  Config config() const;
+
+ private:
+  std::string name_;
+  Config numbers_;
+};
+
+// Why, as a sentence with its remedy.
+std::string refusal_text(Refusal refusal);
+
+// low, middle, high.
+const std::vector<Configuration>& named_configurations();
+// A name of these, or the path of a .toml file. Throws ref::Error.
+Configuration find_configuration(const std::string& name_or_path);
+// `source` stands in the sentences of errors.
+Configuration parse_configuration(const std::string& toml, const std::string& source);
+// The text of its file.
+std::string configuration_toml(const Configuration&);
+// The text of its header, for a compiler: a struct with the name in UpperCamelCase.
+std::string configuration_header(const Configuration&);
+
+ref::RasterFormat raster_format(const Configuration&);
+
+}  // namespace halfspace::vectors
+
+#endif  // HALFSPACE_VECTORS_CONFIGURATION_HPP_

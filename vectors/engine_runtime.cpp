@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vectors/engine_impl.hpp"
+#include "vectors/runtime_formats.hpp"
+
+namespace halfspace::vectors {
+namespace {
+
+// The engine of the kernels, with its formats made the thread's before each use.
+template <class S>
+class RuntimeEngine : public Engine {
+ public:
+  RuntimeEngine(const Config& config, const FormatTable& table) : config_(config), table_(table) {
+    activate();
+    kernels_ = std::make_unique<KernelEngine<RuntimeFormats<S>>>();
+  }
+
+  int lanes_x() const override { return S::kX; }
+  int lanes_y() const override { return S::kY; }
+  std::vector<Layout> layouts() const override {
+    activate();
+    return kernels_->layouts();
+  }
+  ref::Frame render(const ref::SnappedList& scene) override {
+    activate();
+    return kernels_->render(scene);
+  }
+  void render_colour(const ref::SnappedList& scene, std::vector<std::array<std::uint8_t, 4>>& colour) override {
+    activate();
+    kernels_->render_colour(scene, colour);
+  }
+  std::vector<int> visits(const ref::SnappedList& scene) override {
+    activate();
+    return kernels_->visits(scene);
+  }
+  void capture(const ref::SnappedList& scene, const WordSink& sink) override {
+    activate();
+    kernels_->capture(scene, sink);
+  }
+
+ private:
+  void activate() const { RuntimeFormats<S>::activate(config_, table_); }
+
+  Config config_;
+  FormatTable table_;
+  std::unique_ptr<KernelEngine<RuntimeFormats<S>>> kernels_;
+};
+
+}  // namespace
+
+std::unique_ptr<Engine> make_runtime_engine(const Config& config, const FormatTable& table, int lanes) {
+  return with_stamp(lanes, [&](auto stamp) -> std::unique_ptr<Engine> {
+    return std::make_unique<RuntimeEngine<decltype(stamp)>>(config, table);
+  });
+}
+
+}  // namespace halfspace::vectors

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rows of the format table, each with its name and the reason of its width, for people and for tests.
+#ifndef HALFSPACE_VECTORS_FORMAT_FIELDS_HPP_
+#define HALFSPACE_VECTORS_FORMAT_FIELDS_HPP_
+
+#include <string>
+#include <vector>
+
+#include "hls/formats.hpp"
+
+namespace halfspace::vectors {
+
+struct FormatField {
+  const char* name;
+  NumberFormat FormatTable::*format;
+  const char* why;  // of the width; c: bits of a position, f: sub-pixel bits, b: bits of the channel
+};
+const std::vector<FormatField>& format_fields();
+
+// "u13.0", "s11.8": sign, bits before and after the point.
+std::string format_name(const NumberFormat& format);
+
+}  // namespace halfspace::vectors
+
+#endif  // HALFSPACE_VECTORS_FORMAT_FIELDS_HPP_

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+// The kernels' view of a configuration that is chosen while the program runs: the members of Formats<C, S>, read from a
+// format table instead of compiled. The kernels are the same source, and so are their bits.
+//
+// The table is the thread's: activate() before each use of a kernel. Values do not know their width; an operation
+// gives an exact integer with its binary point, and a conversion wraps to what the table says of the target.
+#ifndef HALFSPACE_VECTORS_RUNTIME_FORMATS_HPP_
+#define HALFSPACE_VECTORS_RUNTIME_FORMATS_HPP_
+
+#include <cstdint>
+#include <type_traits>
+#include <vector>
+
+#include "hls/buffers.hpp"
+
+namespace halfspace {
+
+inline thread_local FormatTable runtime_table{};
+
+// What an operation gives: bits · 2^−fraction_bits, no wider than 64 bits (refusal() sees to it).
+struct RuntimeResult {
+  std::int64_t bits;
+  int fraction_bits;
+
+  int fraction() const { return fraction_bits; }
+};
+
+constexpr std::int64_t runtime_scale(std::int64_t bits, int by) {
+  return by >= 0 ? std::int64_t(std::uint64_t(bits) << by) : bits >> -by;
+}
+
+template <NumberFormat FormatTable::*Entry, bool Signed>
+struct RuntimeFixed {
+  static constexpr bool kSigned = Signed;
+  using Carrier = std::conditional_t<Signed, std::int64_t, std::uint64_t>;
+
+  static int width() { return (runtime_table.*Entry).width; }
+  static int fraction() { return (runtime_table.*Entry).width - (runtime_table.*Entry).integer; }
+
+  Carrier bits;
+
+  RuntimeFixed() = default;
+  template <class Other, class = decltype(std::declval<const Other&>().fraction())>
+  RuntimeFixed(const Other& other)
+      : bits(wrap(std::uint64_t(runtime_scale(std::int64_t(other.bits), fraction() - other.fraction())))) {}
+
+  template <class Int>
+  static RuntimeFixed from_bits(Int bits) {
+    RuntimeFixed x;
+    x.bits = wrap(std::uint64_t(bits));
+    return x;
+  }
+
+ private:
+  static Carrier wrap(std::uint64_t v) {
+    const int spare = 64 - width();
+    return Carrier(v << spare) >> spare;
+  }
+};
+
+template <class T>
+struct IsRuntimeNumber : std::false_type {};
+template <NumberFormat FormatTable::*E, bool S>
+struct IsRuntimeNumber<RuntimeFixed<E, S>> : std::true_type {};
+template <>
+struct IsRuntimeNumber<RuntimeResult> : std::true_type {};
+template <class A, class B, class R>
+using IfRuntime = std::enable_if_t<IsRuntimeNumber<A>::value && IsRuntimeNumber<B>::value, R>;
+
+template <NumberFormat FormatTable::*E, bool S>
+typename RuntimeFixed<E, S>::Carrier raw(const RuntimeFixed<E, S>& x) {
+  return x.bits;
+}
+
+// Both operands on the finer grid of the two.
+struct RuntimePair {
+  std::int64_t a, b;
+  int fraction;
+
+  template <class A, class B>
+  RuntimePair(const A& x, const B& y) : fraction(x.fraction() > y.fraction() ? x.fraction() : y.fraction()) {
+    a = runtime_scale(std::int64_t(x.bits), fraction - x.fraction());
+    b = runtime_scale(std::int64_t(y.bits), fraction - y.fraction());
+  }
+};
+
+template <class A, class B>
+IfRuntime<A, B, RuntimeResult> operator+(const A& x, const B& y) {
+  const RuntimePair p(x, y);
+  return {p.a + p.b, p.fraction};
+}
+template <class A, class B>
+IfRuntime<A, B, RuntimeResult> operator-(const A& x, const B& y) {
+  const RuntimePair p(x, y);
+  return {p.a - p.b, p.fraction};
+}
+template <class A, class B>
+IfRuntime<A, B, RuntimeResult> operator*(const A& x, const B& y) {
+  return {std::int64_t(x.bits) * std::int64_t(y.bits), x.fraction() + y.fraction()};
+}
+template <class A>
+IfRuntime<A, A, RuntimeResult> operator-(const A& x) {
+  return {-std::int64_t(x.bits), x.fraction()};
+}
+#define HS_RUNTIME_COMPARE(op)                                     \
+  template <class A, class B>                                      \
+  IfRuntime<A, B, bool> operator op(const A& x, const B& y) {      \
+    const RuntimePair p(x, y);                                     \
+    return p.a op p.b;                                             \
+  }
+HS_RUNTIME_COMPARE(<)
+HS_RUNTIME_COMPARE(<=)
+HS_RUNTIME_COMPARE(>)
+HS_RUNTIME_COMPARE(>=)
+HS_RUNTIME_COMPARE(==)
+HS_RUNTIME_COMPARE(!=)
+#undef HS_RUNTIME_COMPARE
+
+template <class S>
+struct RuntimeFormats {
+  static constexpr int kLanesX = S::kX, kLanesY = S::kY, kLanes = S::kX * S::kY;
+  static constexpr int kLog2LanesX = exact_log2(kLanesX), kLog2LanesY = exact_log2(kLanesY);
+  static inline thread_local int kWidth, kHeight, kStampsX, kStampsY, kStamps, kTriangles, kSubpixelBits,
+      kReciprocalFraction, kAreaBits, kDepthBits, kColourBits;
+
+  static void activate(const Config& c, const FormatTable& table) {
+    runtime_table = table;
+    kWidth = c.width, kHeight = c.height;
+    kStampsX = stamps_for(c.width, kLanesX), kStampsY = stamps_for(c.height, kLanesY);
+    kStamps = kStampsX * kStampsY;
+    kTriangles = c.triangles;
+    kSubpixelBits = c.subpixel_bits;
+    kReciprocalFraction = c.reciprocal_bits;
+    kAreaBits = table.area.width;
+    kDepthBits = c.depth_bits, kColourBits = c.colour_bits;
+  }
+
+  using X = RuntimeFixed<&FormatTable::x, false>;
+  using Y = RuntimeFixed<&FormatTable::y, false>;
+  using Index = RuntimeFixed<&FormatTable::index, false>;
+  using Coord = RuntimeFixed<&FormatTable::coord, true>;
+  using Delta = RuntimeFixed<&FormatTable::delta, true>;
+  using Area = RuntimeFixed<&FormatTable::area, false>;
+  using SignedArea = RuntimeFixed<&FormatTable::signed_area, true>;
+  using Edge = RuntimeFixed<&FormatTable::edge, true>;
+  using EdgeStep = RuntimeFixed<&FormatTable::edge_step, true>;
+  using Reciprocal = RuntimeFixed<&FormatTable::reciprocal, false>;
+  using Shift = RuntimeFixed<&FormatTable::shift, false>;
+  using Depth = RuntimeFixed<&FormatTable::depth, false>;
+  using DepthPlane = RuntimeFixed<&FormatTable::depth_plane, false>;
+  using DepthGradient = RuntimeFixed<&FormatTable::depth_gradient, true>;
+  using Colour = RuntimeFixed<&FormatTable::colour, false>;
+  using ColourPlane = RuntimeFixed<&FormatTable::colour_plane, false>;
+  using ColourGradient = RuntimeFixed<&FormatTable::colour_gradient, true>;
+  struct DepthChannel {
+    using Value = RuntimeFormats::Depth;
+    using PlaneValue = RuntimeFormats::DepthPlane;
+    using Gradient = RuntimeFormats::DepthGradient;
+    using Numerator = RuntimeFixed<&FormatTable::depth_numerator, true>;
+    using Start = RuntimeFixed<&FormatTable::depth_start, true>;
+    using StartGradient = RuntimeFixed<&FormatTable::depth_start_gradient, true>;
+  };
+  struct ColourChannel {
+    using Value = RuntimeFormats::Colour;
+    using PlaneValue = RuntimeFormats::ColourPlane;
+    using Gradient = RuntimeFormats::ColourGradient;
+    using Numerator = RuntimeFixed<&FormatTable::colour_numerator, true>;
+    using Start = RuntimeFixed<&FormatTable::colour_start, true>;
+    using StartGradient = RuntimeFixed<&FormatTable::colour_start_gradient, true>;
+  };
+};
+
+// Buffers of the size that was active when they were made.
+template <class T, int N>
+class RuntimeRow {
+ public:
+  operator T*() { return lanes_; }
+  operator const T*() const { return lanes_; }
+
+ private:
+  T lanes_[N] = {};
+};
+
+template <class S>
+struct IndexBuffer<RuntimeFormats<S>> {
+  using F = RuntimeFormats<S>;
+  std::vector<RuntimeRow<typename F::Index, F::kLanes>> index = decltype(index)(std::size_t(F::kStamps));
+};
+template <class S>
+struct DepthBuffer<RuntimeFormats<S>> {
+  using F = RuntimeFormats<S>;
+  std::vector<RuntimeRow<typename F::Depth, F::kLanes>> depth = decltype(depth)(std::size_t(F::kStamps));
+};
+template <class S>
+struct ShadingDatabase<RuntimeFormats<S>> {
+  using F = RuntimeFormats<S>;
+  std::vector<Planes<F>> planes = decltype(planes)(std::size_t(F::kTriangles));
+};
+
+}  // namespace halfspace
+
+#endif  // HALFSPACE_VECTORS_RUNTIME_FORMATS_HPP_
