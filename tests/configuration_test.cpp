@@ -131,7 +131,9 @@ TEST(Configuration, OfRandomNumbersIsAcceptedOrRefusedAndRight) {
     for (const auto& frame : vectors::random_frames(vectors::raster_format(configuration), n, 2, 40)) {
       const ref::Frame kernels = engine->render(frame.scene), reference = ref::render(frame.scene);
       for (std::size_t at = 0; at < reference.index.size(); ++at) {
-        ASSERT_EQ(kernels.index[at] != 0, reference.index[at] != 0) << "pixel " << at;
+        // A fragment that one of them rounds to full depth does not pass there.
+        const bool at_the_end = std::min(kernels.depth[at], reference.depth[at]) + 1 >= ref::full_depth(numbers.depth_bits);
+        ASSERT_TRUE(at_the_end || (kernels.index[at] != 0) == (reference.index[at] != 0)) << "pixel " << at;
         if (kernels.index[at] != reference.index[at]) continue;
         ASSERT_LE(std::abs(std::int64_t(kernels.depth[at]) - std::int64_t(reference.depth[at])), 1) << "pixel " << at;
       }

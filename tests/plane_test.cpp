@@ -120,7 +120,7 @@ void expect_bounds(int triangles) {
   PlaneProbe<F> probe(F::kWidth, F::kHeight);
   std::mt19937_64 random(3);
   auto in = [&](std::int64_t low, std::int64_t high) { return int(low + std::int64_t(random() % std::uint64_t(high - low + 1))); };
-  const int one = 1 << F::kSubpixelBits, limit = 1 << (F::kCoordBits - 1);
+  const int one = 1 << F::kSubpixelBits, limit = 1 << (F::table().coord.width - 1);
   const std::uint32_t full = std::uint32_t((std::uint64_t(1) << F::kDepthBits) - 1);
   const char* const names[] = {"small", "sliver across the frame", "sliver across the guard band", "any", "guard band"};
   for (int kind = 0; kind < 5; ++kind) {
