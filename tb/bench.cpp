@@ -59,7 +59,8 @@ void Bench::set_frame(const Frame& frame) {
   model_->set("frame_width_i", frame.width);
   model_->set("frame_height_i", frame.height);
   const std::uint32_t* const rgb = frame.background;
-  model_->set("background_i", rgb[0] << 16 | rgb[1] << 8 | rgb[2]);
+  const int bits = model_->constant("ColourBits");
+  model_->set("background_i", rgb[0] << 2 * bits | rgb[1] << bits | rgb[2]);
 }
 
 bool Bench::step() {

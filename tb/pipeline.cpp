@@ -37,8 +37,13 @@ Segment segment_of(const Stream& stream, const Turn& turn) {
 Bound bound_of(const Vectors& vectors, int setup_interval) {
   Bound bound;
   const std::size_t frame = vectors.frames.size() - 1;
-  if (const Stream* const triangle = vectors.find("triangle")) {
-    bound.setup = triangle->frame_words[frame] * std::uint64_t(setup_interval);
+  if (const Stream* const setup = vectors.find("setup")) {
+    // An empty triangle takes three cycles at least.
+    const Field& empty = setup->need("empty", "the bound of cycles");
+    const Segment words = segment_of(*setup, {frame, ""});
+    for (std::size_t n = words.begin; n < words.end; ++n) {
+      bound.setup += empty.raw(setup->words[n]) ? 3 : std::uint64_t(setup_interval);
+    }
   }
   if (const Stream* const scan = vectors.find("scan")) bound.pixels = scan->frame_words[frame];
   if (const Stream* const stamp = vectors.find("stamp")) {

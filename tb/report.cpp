@@ -22,7 +22,7 @@ void print_bound(const Result& result) {
   if (result.bound.cycles() == 0) return;
   std::printf("bound of a frame: %llu cycles (", static_cast<unsigned long long>(result.bound.cycles()));
   if (result.bound.setup != 0) {
-    std::printf("triangles x setup interval %llu, ", static_cast<unsigned long long>(result.bound.setup));
+    std::printf("setup intervals of the triangles %llu, ", static_cast<unsigned long long>(result.bound.setup));
   }
   std::printf("covered stamps %llu, stamps of the frame %llu)", static_cast<unsigned long long>(result.bound.stamps),
               static_cast<unsigned long long>(result.bound.pixels));
@@ -116,7 +116,11 @@ std::string rgba_picture(const Vectors& vectors, const Words& pixel) {
                                     &stream.need("b", "a picture")};
   std::string bytes(std::size_t(frame.width) * frame.height * 4, '\0');
   each_pixel(vectors, "pixel", pixel, [&](std::size_t at, int lane, const std::uint32_t* word) {
-    for (std::size_t c = 0; c < 3; ++c) bytes[4 * at + c] = char(channels[c]->raw(word, lane));
+    for (std::size_t c = 0; c < 3; ++c) {
+      // Full scale is 255 whatever the bits of a channel.
+      const std::uint64_t full = (1u << channels[c]->width) - 1;
+      bytes[4 * at + c] = char((channels[c]->raw(word, lane) * 255 + full / 2) / full);
+    }
     bytes[4 * at + 3] = char(255);
   });
   return bytes;

@@ -19,15 +19,13 @@ import time
 
 HERE = pathlib.Path(__file__).resolve().parent
 TB = HERE.parent
-LANES_X = {1: 1, 2: 2, 4: 2, 8: 4, 16: 4}
+sys.path.insert(0, str(TB))
+from model import LANES_X, Broken, build, run  # noqa: E402
+
 KEYS = ["why", "file", "find", "with", "unit", "says"]
 BENCH = re.compile(r"^bench (\w+) \S+ \w+: (\d+) words on \d+ streams compared, (\d+) mismatches, \d+ cycles$",
                    re.MULTILINE)
 FAIL = re.compile(r"^FAIL (\w+): (.*)$", re.MULTILINE)
-
-
-class Broken(Exception):
-    """The test could not be made: a sentence."""
 
 
 def read_faults(path):
@@ -54,30 +52,6 @@ def seed_fault(fault, rtl):
     if (count := text.count(fault["find"])) != 1:
         raise Broken(f"its text stands {count} times in {fault['file']}, not once: bring faults.txt and rtl/ together")
     path.write_text(text.replace(fault["find"], fault["with"]))
-
-
-def run(command, what):
-    result = subprocess.run([str(part) for part in command], capture_output=True, text=True)
-    if result.returncode:
-        raise Broken(f"{what} failed: {(result.stdout + result.stderr).strip()[:2000]}")
-
-
-def build_model(args, rtl, out):
-    """The units' model of this RTL: quick to build, as it runs once."""
-    lanes_x = LANES_X[args.lanes]
-    lanes_y = args.lanes // lanes_x
-    sources = [TB / "lint.vlt", *sorted(rtl.glob("hs_*.sv")), TB / "hs_units.sv", TB / "hs_bench_ram.sv"]
-    flags = ["-Wno-fatal", "--noassert", "--x-initial", "unique"]
-    run([sys.executable, TB / "verilate.py", "--verilator", args.verilator, "--top", "hs_units", "--lanes-x", lanes_x,
-         "--lanes-y", lanes_y, "--out", out, "--package", rtl / args.config / "hs_formats_pkg.sv",
-         *(f"--flag={flag}" for flag in flags), *sources], "verilate.py")
-    root = subprocess.run([args.verilator, "--getenv", "VERILATOR_ROOT"], capture_output=True, text=True).stdout.strip()
-    # Everything in one go: the headers cost more than the model.
-    (out / "all.cpp").write_text('#include "fast.cpp"\n#include "slow.cpp"\n#include "binding.cpp"\n')
-    run([args.cxx, "-std=c++17", "-O0", "-w", f"-I{out}", f"-I{TB}", f"-I{root}/include", f"-I{root}/include/vltstd",
-         '-DHS_TOP="hs_units"', f'-DHS_CONFIG="{args.config}"', f"-DHS_LANES_X={lanes_x}", f"-DHS_LANES_Y={lanes_y}",
-         out / "all.cpp", *args.library, "-pthread", "-o", out / "bench"], args.cxx)
-    return out / "bench"
 
 
 def judge(output, status, guilty, says):
@@ -112,7 +86,8 @@ def try_fault(args, fault):
     try:
         if fault:
             seed_fault(fault, work / "rtl")
-        bench = build_model(args, work / "rtl", work / "model")
+        bench = build(work / "rtl" / args.config / "hs_formats_pkg.sv", args.lanes, "hs_units", work / "model", args.library,
+                      rtl=work / "rtl", verilator=args.verilator, cxx=args.cxx)
         result = subprocess.run([bench, args.vectors, "--stall", "30", "--seed", "1"], capture_output=True, text=True,
                                 timeout=600)
         output = result.stdout + result.stderr
