@@ -6,7 +6,9 @@ import re
 import sys
 
 # What a file of hls/ may include, lowest first. Files of one level do not include each other.
-LEVELS = [["config"], ["low", "middle", "high"], ["fixed"], ["formats"], ["records", "stream"], ["buffers", "reciprocal"], ["plane"],
+LEVELS = [["config"], ["low", "middle", "high"], ["fixed_rules"], ["fixed_native", "fixed_library"],
+          ["fixed_systemc", "fixed_ap", "fixed_ac"], ["fixed"], ["formats"], ["records", "stream"],
+          ["buffers", "reciprocal"], ["plane"],
           ["triangle_setup", "shade_setup", "raster_pineda", "ztest_index", "scan_index", "shade_gouraud"], ["pipeline"],
           ["fields"],
           ["triangle_setup_top", "shade_setup_top", "raster_pineda_top", "ztest_index_top", "scan_index_top",

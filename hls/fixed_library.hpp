@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// fixed.hpp on the numbers of a library: a number is one of the library's, and the library does the arithmetic.
+//
+// A Library gives
+//   Number<W, I, S>                 its number, that truncates toward minus infinity and wraps
+//   bits<W, I, S>(x)                the bits of a number in an integer of 64 bits; those above W mean nothing
+//   set_bits<W, I, S>(x, bits)      the inverse, of an integer that was wrapped to W bits
+//   natural<W, I, S>(result)        takes what an operator gave; of a library that has types for results, only the one
+//                                   of the width that fixed.hpp promises
+#ifndef HALFSPACE_HLS_FIXED_LIBRARY_HPP_
+#define HALFSPACE_HLS_FIXED_LIBRARY_HPP_
+
+#include "fixed_rules.hpp"
+
+namespace halfspace {
+
+template <class Library, int W, int I, bool S>
+struct LibraryFixed {
+  static_assert(W >= 1 && W <= 64, "a fixed-point value has 1 to 64 bits: split the product, or narrow the format");
+  static_assert(I >= 0 && I <= W, "the binary point lies inside the word");
+  static constexpr int kWidth = W;
+  static constexpr int kInteger = I;
+  static constexpr int kFraction = W - I;
+  static constexpr bool kSigned = S;
+  using Carrier = fixed_detail::Carrier<W, S>;
+  using Number = typename Library::template Number<W, I, S>;
+
+  static constexpr int width() { return W; }
+  static constexpr int fraction() { return W - I; }
+
+  Number number;
+
+  LibraryFixed() : number(0) {}
+  template <int W2, int I2, bool S2>
+  LibraryFixed(const LibraryFixed<Library, W2, I2, S2>& other) : number(other.number) {}
+
+  template <class Int>
+  static LibraryFixed from_bits(Int bits) {
+    LibraryFixed x;
+    Library::template set_bits<W, I, S>(x.number, fixed_detail::wrap<W, S>(bits));
+    return x;
+  }
+  template <class Result>
+  static LibraryFixed from_result(const Result& result) {
+    LibraryFixed x;
+    x.number = Library::template natural<W, I, S>(result);
+    return x;
+  }
+};
+
+template <class L, int W, int I, bool S>
+typename LibraryFixed<L, W, I, S>::Carrier raw(const LibraryFixed<L, W, I, S>& x) {
+  return fixed_detail::wrap<W, S>(L::template bits<W, I, S>(x.number));
+}
+
+template <class A, class B, bool S, class L>
+using LibrarySum = LibraryFixed<L, fixed_detail::Sum<A, B>::kWidth, fixed_detail::Sum<A, B>::kInteger, S>;
+
+#define HS_FIXED_TEMPLATE template <class L, int W1, int I1, bool S1, int W2, int I2, bool S2>
+#define HS_FIXED_OPERANDS const LibraryFixed<L, W1, I1, S1>&a, const LibraryFixed<L, W2, I2, S2>&b
+#define HS_FIXED_SUM(sign) LibrarySum<LibraryFixed<L, W1, I1, S1>, LibraryFixed<L, W2, I2, S2>, sign, L>
+
+HS_FIXED_TEMPLATE HS_FIXED_SUM(S1 || S2) operator+(HS_FIXED_OPERANDS) {
+  return HS_FIXED_SUM(S1 || S2)::from_result(a.number + b.number);
+}
+HS_FIXED_TEMPLATE HS_FIXED_SUM(true) operator-(HS_FIXED_OPERANDS) {
+  return HS_FIXED_SUM(true)::from_result(a.number - b.number);
+}
+HS_FIXED_TEMPLATE LibraryFixed<L, W1 + W2, I1 + I2, S1 || S2> operator*(HS_FIXED_OPERANDS) {
+  return LibraryFixed<L, W1 + W2, I1 + I2, S1 || S2>::from_result(a.number * b.number);
+}
+#define HS_FIXED_COMPARE(op)                                                       \
+  HS_FIXED_TEMPLATE bool operator op(HS_FIXED_OPERANDS) {                          \
+    static_assert(S1 == S2, "compare signed with signed, unsigned with unsigned"); \
+    return a.number op b.number;                                                   \
+  }
+HS_FIXED_COMPARE(<)
+HS_FIXED_COMPARE(<=)
+HS_FIXED_COMPARE(>)
+HS_FIXED_COMPARE(>=)
+HS_FIXED_COMPARE(==)
+HS_FIXED_COMPARE(!=)
+#undef HS_FIXED_COMPARE
+#undef HS_FIXED_SUM
+#undef HS_FIXED_OPERANDS
+#undef HS_FIXED_TEMPLATE
+
+template <class L, int W, int I>
+LibraryFixed<L, W + 1, I + 1, true> operator-(const LibraryFixed<L, W, I, true>& a) {
+  return LibraryFixed<L, W + 1, I + 1, true>::from_result(-a.number);
+}
+
+}  // namespace halfspace
+
+#endif  // HALFSPACE_HLS_FIXED_LIBRARY_HPP_
