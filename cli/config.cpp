@@ -20,8 +20,10 @@ Json config_json(const Configuration& configuration) {
   const Config c = configuration.config();
   Json json = {{"name", configuration.name()}};
   for (const auto& field : vectors::config_fields()) json[field.name] = c.*field.value;
+  json["shading"] = vectors::shading_name(c.shading);
   const FormatTable table = format_table(c);
   for (const auto& field : vectors::format_fields()) {
+    if (!field.is_used(c)) continue;
     const NumberFormat format = table.*field.format;
     json["formats"][field.name] = {{"width", format.width}, {"integer", format.integer}, {"signed", format.is_signed}};
   }
@@ -45,9 +47,15 @@ void print_table(const std::vector<Configuration>& configurations, bool markdown
     for (const Configuration& c : configurations) cells.push_back(std::to_string(c.config().*field.value));
     row(field.name, cells, field.what);
   }
+  std::vector<std::string> shadings;
+  for (const Configuration& c : configurations) shadings.push_back(vectors::shading_name(c.config().shading));
+  row("shading", shadings, vectors::kShadingWhat);
   for (const auto& field : vectors::format_fields()) {
     std::vector<std::string> cells;
-    for (const Configuration& c : configurations) cells.push_back(vectors::format_name(format_table(c.config()).*field.format));
+    for (const Configuration& configuration : configurations) {
+      const Config c = configuration.config();
+      cells.push_back(field.is_used(c) ? vectors::format_name(format_table(c).*field.format) : "–");
+    }
     row(field.name, cells, field.why);
   }
 }

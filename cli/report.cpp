@@ -78,7 +78,7 @@ std::string cycles_of(const Json& report, const std::string& unit) {
   return "–";
 }
 
-Json print_table(const Json& cosim, const Json& units, const vectors::Accuracy& a) {
+Json print_table(const Json& cosim, const Json& units, const vectors::Accuracy& a, bool has_depth) {
   // Column widths count characters: fmt pads by display width.
   fmt::print("\n{:<15} {:>10} {:>10}  {:<34} {:>7} {:>10}\n", "stage", "words", "mismatches", "error against the reference",
              "dB", "cycles");
@@ -88,8 +88,11 @@ Json print_table(const Json& cosim, const Json& units, const vectors::Accuracy& 
     std::string error = "–", ratio = "–";
     if (!std::strcmp(row.stage, "raster_pineda")) error = fmt::format("{} pixels of coverage", a.covered_differ);
     if (!std::strcmp(row.stage, "ztest_index")) {
-      error = fmt::format("depth {} LSB, index {} pixels", a.depth_largest, a.index_differ);
-      ratio = decibels(a.depth_psnr);
+      error = fmt::format("index {} pixels", a.index_differ);
+      if (has_depth) {
+        error = fmt::format("depth {} LSB, {}", a.depth_largest, error);
+        ratio = decibels(a.depth_psnr);
+      }
     }
     if (!std::strcmp(row.stage, "shade_gouraud")) {
       error = fmt::format("colour {} LSB of 8", a.colour_largest);
@@ -111,7 +114,7 @@ Json print_table(const Json& cosim, const Json& units, const vectors::Accuracy& 
 
 int report(const Options& options) {
   const Json cosim = read_json(options.cosim), units = read_json(options.units);
-  const auto [scene, configuration] = load_snapped(options.input);
+  const auto [scene, configuration, project] = load_snapped(options.input);
   const ref::Frame reference = ref::render(scene);
   const ref::Frame kernels = vectors::make_engine(configuration, 16)->render(scene);
   const vectors::Accuracy a = vectors::accuracy(reference, kernels, scene.format.depth_bits);
@@ -131,10 +134,11 @@ int report(const Options& options) {
     rtl_equal = rtl.colour == kernels.colour;
   }
   picture("index.png", index_picture(kernels));
-  picture("depth.png", depth_picture(kernels));
+  const bool has_depth = scene.format.depth_bits != 0;
+  if (has_depth) picture("depth.png", depth_picture(kernels));
   picture(fmt::format("difference_x{}.png", kGain).c_str(), difference_picture(reference, kernels, kGain));
 
-  const Json rows = print_table(cosim, units, a);
+  const Json rows = print_table(cosim, units, a, has_depth);
   write_json(options.json, {{"scene", options.input.scene},
                             {"config", scene.format.name},
                             {"accuracy", to_json(a)},

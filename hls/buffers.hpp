@@ -13,10 +13,10 @@ struct IndexBuffer {
   typename F::Index index[F::kStamps][F::kLanes];
 };
 
-// Its depth; means nothing where the index is 0.
+// Its depth; means nothing where the index is 0. Without F::kHasDepth nothing reads or writes it.
 template <class F>
 struct DepthBuffer {
-  typename F::Depth depth[F::kStamps][F::kLanes];
+  typename F::Depth depth[F::kHasDepth ? F::kStamps : 1][F::kLanes];
 };
 
 // TdbS, the triangle database for shading: entry index − 1.

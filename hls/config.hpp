@@ -7,28 +7,58 @@
 
 namespace halfspace {
 
-// A configuration, as in its .toml file. Nothing here can be derived from the rest.
+// Gouraud: colours are planes over a triangle. Flat: a triangle has one colour, that of its first vertex as given.
+enum class Shading { kGouraud, kFlat };
+
+// A configuration, as in its .toml file. Nothing here can be derived from the rest. What is not there has no numbers: they
+// are 0.
 struct Config {
   const char* name;
   int width, height;     // largest frame, pixels
   int triangles;         // triangles a frame; indices 1 … triangles, 0 is the background
   int range_bits;        // vertices lie in [−2^(range_bits−1), 2^(range_bits−1)) pixels: the guard band
   int subpixel_bits;     // f: fraction bits of a vertex position
-  int depth_bits;        // b of depth: bits of a stored depth
+  int depth_bits;        // b of depth: bits of a stored depth; 0: no Z-buffer, the first drawn wins each pixel
   int colour_bits;       // b of a colour channel
-  int reciprocal_bits;   // r: the reciprocal of the area has r fraction bits after its leading one
-  int depth_fraction;    // g of the depth plane: fraction bits of its gradients
-  int colour_fraction;   // g of the colour planes
+  int reciprocal_bits;   // r: the reciprocal of the area has r fraction bits after its leading one; 0 without planes
+  int depth_fraction;    // g of the depth plane: fraction bits of its gradients; 0 without depth
+  int colour_fraction;   // g of the colour planes; 0 without Gouraud shading
   int lanes;             // pixels a stamp, 1, 2, 4, 8 or 16: what the units handle in a cycle
+  Shading shading = Shading::kGouraud;
 };
+
+constexpr bool has_depth(const Config& c) { return c.depth_bits != 0; }
+constexpr bool is_gouraud(const Config& c) { return c.shading == Shading::kGouraud; }
+// Whether a triangle has a plane at all, and needs the reciprocal of its area.
+constexpr bool has_planes(const Config& c) { return has_depth(c) || is_gouraud(c); }
 
 // Bits that hold 0 … n.
 constexpr int bits_for(std::int64_t n) { return n < 2 ? 1 : 1 + bits_for(n / 2); }
 // log2 of a power of two.
 constexpr int exact_log2(int n) { return n < 2 ? 0 : 1 + exact_log2(n / 2); }
 
-// Cycles a triangle of the RTL's triangle setup: the quotient bits of the divider and one to load it.
-constexpr int setup_interval(const Config& c) { return c.reciprocal_bits + 3; }
+constexpr int max_of(int a, int b) { return a > b ? a : b; }
+
+// Cycles that hs_plane_setup takes for the depth plane of a triangle, from its record to the plane: eight products on one
+// multiplier, each by a distance or by the reciprocal in chunks of 17 bits, and three cycles from a product to its sum.
+constexpr int depth_plane_latency(const Config& c) {
+  const int chunk = 17, to_sum = 3;
+  const int by_distance = 2 * ((c.range_bits + c.subpixel_bits + chunk - 1) / chunk);
+  const int by_reciprocal = (c.reciprocal_bits + 1 + chunk - 1) / chunk;
+  const int gradient_x = max_of(2 * by_distance, by_distance + to_sum);  // N_A is known, and N_B issued
+  const int gradient_y = max_of(gradient_x + by_reciprocal, 2 * by_distance + to_sum);
+  return gradient_y + by_reciprocal + to_sum + by_distance + to_sum;
+}
+
+// Cycles a triangle of the RTL's triangle setup: those of the slowest of three units that work on three triangles at once.
+// The edges take 15, one of them to hand D to the divider; the division a quotient bit a cycle, and one to load it; a
+// depth plane leaves before the next one is begun.
+constexpr int setup_interval(const Config& c) {
+  const int edges = has_planes(c) ? 15 : 14;
+  const int division = has_planes(c) ? c.reciprocal_bits + 3 : 0;
+  const int depth = has_depth(c) ? depth_plane_latency(c) + 1 : 0;
+  return max_of(max_of(edges, division), depth);
+}
 
 // Why a configuration is refused; the first reason that holds. refusal_text() in vectors/ has them as sentences.
 enum class Refusal {
@@ -36,10 +66,11 @@ enum class Refusal {
   kFrameSize,           // 1 … 8192 pixels each way
   kTriangles,           // 1 … 2^22
   kSubpixelBits,        // 1 … 12: without one, a pixel centre is no position
-  kDepthBits,           // 2 … 32
+  kDepthBits,           // 2 … 32, or 0
   kColourBits,          // 1 … 8
   kLanes,               // 1, 2, 4, 8, 16
   kFractionBits,        // 1 … 40 for g, 2 … 40 for r
+  kIdleBits,            // a number of what is not there
   kFrameOutsideRange,   // the centres of all stamps, and of the stamps around the frame, are positions
   kDepthError,          // the depth plane is off by half an LSB or more
   kColourError,         // the colour planes are off by half an LSB or more
@@ -65,19 +96,24 @@ constexpr Refusal refusal(const Config& c) {
   if (!within(c.width, 1, 8192) || !within(c.height, 1, 8192)) return Refusal::kFrameSize;
   if (!within(c.triangles, 1, 1 << 22)) return Refusal::kTriangles;
   if (!within(c.subpixel_bits, 1, 12)) return Refusal::kSubpixelBits;
-  if (!within(c.depth_bits, 2, 32)) return Refusal::kDepthBits;
+  if (has_depth(c) && !within(c.depth_bits, 2, 32)) return Refusal::kDepthBits;
   if (!within(c.colour_bits, 1, 8)) return Refusal::kColourBits;
   if (!within(c.lanes, 1, 16) || c.lanes != 1 << exact_log2(c.lanes)) return Refusal::kLanes;
-  if (!within(c.reciprocal_bits, 2, 40) || !within(c.depth_fraction, 1, 40) || !within(c.colour_fraction, 1, 40)) {
+  if ((has_planes(c) && !within(c.reciprocal_bits, 2, 40)) || (has_depth(c) && !within(c.depth_fraction, 1, 40)) ||
+      (is_gouraud(c) && !within(c.colour_fraction, 1, 40))) {
     return Refusal::kFractionBits;
+  }
+  if ((!has_planes(c) && c.reciprocal_bits != 0) || (!has_depth(c) && c.depth_fraction != 0) ||
+      (!is_gouraud(c) && c.colour_fraction != 0)) {
+    return Refusal::kIdleBits;
   }
   const int longer_side = c.width > c.height ? c.width : c.height;
   const int margin = 3 * 4;  // pixels of the stamps around the frame, 4 at most each way
   if (!within(c.range_bits, 1, 20) || longer_side + margin > 1 << (c.range_bits - 1)) return Refusal::kFrameOutsideRange;
-  if (!plane_error_ok(c, c.depth_bits, c.depth_fraction)) return Refusal::kDepthError;
-  if (!plane_error_ok(c, c.colour_bits, c.colour_fraction)) return Refusal::kColourError;
+  if (has_depth(c) && !plane_error_ok(c, c.depth_bits, c.depth_fraction)) return Refusal::kDepthError;
+  if (is_gouraud(c) && !plane_error_ok(c, c.colour_bits, c.colour_fraction)) return Refusal::kColourError;
   const int fraction = c.depth_fraction > c.colour_fraction ? c.depth_fraction : c.colour_fraction;
-  if (c.reciprocal_bits < c.subpixel_bits + fraction) return Refusal::kReciprocalShort;
+  if (has_planes(c) && c.reciprocal_bits < c.subpixel_bits + fraction) return Refusal::kReciprocalShort;
   const int position = c.range_bits + c.subpixel_bits;
   const int value = c.depth_bits > c.colour_bits ? c.depth_bits : c.colour_bits;
   const int numerator = value + position + 2;

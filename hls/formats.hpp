@@ -25,6 +25,7 @@ struct FormatTable {
 constexpr FormatTable format_table(const Config& c) {
   FormatTable t{};
   const int f = c.subpixel_bits;
+  const int depth_bits = has_depth(c) ? c.depth_bits : 1;  // no record carries a depth then, and its types are idle
 
   // Frame sizes 1 … width, and pixel coordinates. The same width whatever the stamp.
   t.x = {bits_for(c.width), bits_for(c.width), false};
@@ -50,22 +51,23 @@ constexpr FormatTable format_table(const Config& c) {
   t.shift = {bits_for(t.area.width - 1), bits_for(t.area.width - 1), false};
 
   // A channel of b bits whose gradients have g fraction bits.
-  t.depth = {c.depth_bits, c.depth_bits, false};
+  t.depth = {depth_bits, depth_bits, false};
   t.colour = {c.colour_bits, c.colour_bits, false};
   // A plane is kept modulo 2^b: at a covered pixel centre its value, less the error, lies between values of the
   // vertices, and the error is below ½ (see refusal), so the rounded value is one of 0 … 2^b − 1.
-  t.depth_plane = {c.depth_bits + c.depth_fraction, c.depth_bits, false};
+  // A flat colour is a plane without gradients and without fraction bits.
+  t.depth_plane = {depth_bits + c.depth_fraction, depth_bits, false};
   t.colour_plane = {c.colour_bits + c.colour_fraction, c.colour_bits, false};
-  t.depth_gradient = {t.depth_plane.width, c.depth_bits, true};
+  t.depth_gradient = {t.depth_plane.width, depth_bits, true};
   t.colour_gradient = {t.colour_plane.width, c.colour_bits, true};
   // N = dv1·dy2 − dv2·dy1, |dv| < 2^b, |dy| < 2^c units: |N| < 2^(b+c+1).
-  t.depth_numerator = {c.depth_bits + t.coord.width + 2, c.depth_bits + c.range_bits + 2, true};
+  t.depth_numerator = {depth_bits + t.coord.width + 2, depth_bits + c.range_bits + 2, true};
   t.colour_numerator = {c.colour_bits + t.coord.width + 2, c.colour_bits + c.range_bits + 2, true};
   // The start of a plane lies a multiple of 2^−f pixels from vertex 0: it is summed with f + g fraction bits, modulo
   // 2^b, and takes the gradients modulo 2^(b+f).
-  t.depth_start = {t.depth_plane.width + f, c.depth_bits, true};
+  t.depth_start = {t.depth_plane.width + f, depth_bits, true};
   t.colour_start = {t.colour_plane.width + f, c.colour_bits, true};
-  t.depth_start_gradient = {t.depth_start.width, c.depth_bits + f, true};
+  t.depth_start_gradient = {t.depth_start.width, depth_bits + f, true};
   t.colour_start_gradient = {t.colour_start.width, c.colour_bits + f, true};
   return t;
 }
@@ -103,6 +105,8 @@ struct Formats {
   static constexpr int kStampsY = stamps_for(kHeight, kLanesY);
   static constexpr int kStamps = kStampsX * kStampsY;
   static constexpr int kTriangles = config().triangles;
+  static constexpr bool kHasDepth = has_depth(config()), kGouraud = is_gouraud(config());
+  static constexpr bool kHasPlanes = has_planes(config());
   static constexpr int kSubpixelBits = config().subpixel_bits;
   static constexpr int kReciprocalFraction = config().reciprocal_bits;
   static constexpr int kAreaBits = table().area.width;

@@ -50,6 +50,7 @@ Edges:
       steps.lane_e[i][l] = from_raw<E>(dx * (l % F::kLanesX) + dy * (l / F::kLanesX));
     }
   }
+  if (!F::kHasDepth) return steps;
   using Z = typename F::DepthPlane;
   const std::int64_t dx = raw(in.depth_dx), dy = raw(in.depth_dy);
   steps.depth_x = from_raw<Z>(dx * F::kLanesX);
@@ -77,6 +78,8 @@ Edges:
                                                          : 0) +
                           (step_y > 0 ? raw(steps.e_y[i]) : 0));
   }
+  to.depth = from.depth;
+  if (!F::kHasDepth) return to;
   using Z = typename F::DepthPlane;
   to.depth = from_raw<Z>(raw(from.depth) + (step_x < 0   ? std::uint64_t(0) - raw(steps.depth_x)
                                             : step_x > 0 ? std::uint64_t(raw(steps.depth_x))
@@ -117,7 +120,8 @@ Lanes:
 Depths:
   for (int l = 0; l < F::kLanes; ++l) {
     HS_UNROLL
-    const typename F::DepthPlane depth = at.depth + steps.lane_depth[l];
+    typename F::DepthPlane depth = at.depth;
+    if (F::kHasDepth) depth = at.depth + steps.lane_depth[l];
     stamp.depth[l] = depth;
   }
   return any != 0;

@@ -4,7 +4,8 @@
 // visit() names the fields once, in the order of a SystemVerilog packed struct: the first is the most significant.
 // Packing, manifests, the RTL package and the reports of mismatches all read the layout from there. Fields that
 // come once a lane stand last in the word, lane 0 in the least significant place, and first in memory, where a processor's
-// vectors find them aligned.
+// vectors find them aligned. A field that a configuration has no use for is not visited, so that no word has it: depths without
+// F::kHasDepth, colours of the other vertices and colour planes without F::kGouraud.
 #ifndef HALFSPACE_HLS_RECORDS_HPP_
 #define HALFSPACE_HLS_RECORDS_HPP_
 
@@ -22,6 +23,18 @@ struct Frame {
   typename F::Colour r, g, b;  // background
 };
 
+// The colours of a triangle: of its vertices, or one.
+template <class F, class V>
+void visit_colours(V&& v, typename F::Colour (&r)[3], typename F::Colour (&g)[3], typename F::Colour (&b)[3]) {
+  if (F::kGouraud) {
+    v("r0", r[0]), v("r1", r[1]), v("r2", r[2]);
+    v("g0", g[0]), v("g1", g[1]), v("g2", g[2]);
+    v("b0", b[0]), v("b1", b[1]), v("b2", b[2]);
+  } else {
+    v("r", r[0]), v("g", g[0]), v("b", b[0]);
+  }
+}
+
 // vertices → triangle_setup. Either winding. Index 0 with three equal vertices is no triangle at all: it carries
 // `last` for a frame without triangles.
 template <class F>
@@ -31,17 +44,15 @@ struct Triangle {
   typename F::Index index;
   typename F::Coord x[3], y[3];
   typename F::Depth depth[3];
-  typename F::Colour r[3], g[3], b[3];
+  typename F::Colour r[3], g[3], b[3];  // flat: at [0]
 
   template <class V>
   void visit(V&& v) {
     v("last", last), v("index", index);
     v("x0", x[0]), v("x1", x[1]), v("x2", x[2]);
     v("y0", y[0]), v("y1", y[1]), v("y2", y[2]);
-    v("depth0", depth[0]), v("depth1", depth[1]), v("depth2", depth[2]);
-    v("r0", r[0]), v("r1", r[1]), v("r2", r[2]);
-    v("g0", g[0]), v("g1", g[1]), v("g2", g[2]);
-    v("b0", b[0]), v("b1", b[1]), v("b2", b[2]);
+    if (F::kHasDepth) v("depth0", depth[0]), v("depth1", depth[1]), v("depth2", depth[2]);
+    visit_colours<F>(v, r, g, b);
   }
 };
 
@@ -68,11 +79,12 @@ struct Setup {
     v("e0", e[0]), v("e1", e[1]), v("e2", e[2]);
     v("e0_dx", e_dx[0]), v("e1_dx", e_dx[1]), v("e2_dx", e_dx[2]);
     v("e0_dy", e_dy[0]), v("e1_dy", e_dy[1]), v("e2_dy", e_dy[2]);
-    v("depth", depth), v("depth_dx", depth_dx), v("depth_dy", depth_dy);
+    if (F::kHasDepth) v("depth", depth), v("depth_dx", depth_dx), v("depth_dy", depth_dy);
   }
 };
 
-// triangle_setup → shade_setup: what the colour planes need, of each triangle that is not empty and of the last.
+// triangle_setup → shade_setup: what the colour planes need, of each triangle that is not empty and of the last. A flat
+// triangle needs its colour alone.
 template <class F>
 struct Attributes {
   static constexpr const char* kStream = "attributes";
@@ -83,17 +95,17 @@ struct Attributes {
   typename F::Delta dx1, dy1, dx2, dy2;
   typename F::Shift shift;
   typename F::Reciprocal reciprocal;
-  typename F::Colour r[3], g[3], b[3];
+  typename F::Colour r[3], g[3], b[3];  // flat: at [0]
 
   template <class V>
   void visit(V&& v) {
     v("last", last), v("empty", empty), v("index", index);
-    v("x", x), v("y", y);
-    v("dx1", dx1), v("dy1", dy1), v("dx2", dx2), v("dy2", dy2);
-    v("shift", shift), v("reciprocal", reciprocal);
-    v("r0", r[0]), v("r1", r[1]), v("r2", r[2]);
-    v("g0", g[0]), v("g1", g[1]), v("g2", g[2]);
-    v("b0", b[0]), v("b1", b[1]), v("b2", b[2]);
+    if (F::kGouraud) {
+      v("x", x), v("y", y);
+      v("dx1", dx1), v("dy1", dy1), v("dx2", dx2), v("dy2", dy2);
+      v("shift", shift), v("reciprocal", reciprocal);
+    }
+    visit_colours<F>(v, r, g, b);
   }
 };
 
@@ -104,7 +116,7 @@ struct Planes {
   Bit last;
   Bit empty;  // nothing to store
   typename F::Index index;
-  typename F::ColourPlane r;  // at the centre of pixel (0, 0) of the frame, ½ included
+  typename F::ColourPlane r;  // at the centre of pixel (0, 0) of the frame, ½ included; flat: the colour
   typename F::ColourGradient r_dx, r_dy;
   typename F::ColourPlane g;
   typename F::ColourGradient g_dx, g_dy;
@@ -114,9 +126,12 @@ struct Planes {
   template <class V>
   void visit(V&& v) {
     v("last", last), v("empty", empty), v("index", index);
-    v("r", r), v("r_dx", r_dx), v("r_dy", r_dy);
-    v("g", g), v("g_dx", g_dx), v("g_dy", g_dy);
-    v("b", b), v("b_dx", b_dx), v("b_dy", b_dy);
+    v("r", r);
+    if (F::kGouraud) v("r_dx", r_dx), v("r_dy", r_dy);
+    v("g", g);
+    if (F::kGouraud) v("g_dx", g_dx), v("g_dy", g_dy);
+    v("b", b);
+    if (F::kGouraud) v("b_dx", b_dx), v("b_dy", b_dy);
   }
 };
 
@@ -136,7 +151,8 @@ struct Stamp {
   template <class V>
   void visit(V&& v) {
     v("last", last), v("triangle_last", triangle_last), v("index", index), v("x", x), v("y", y);
-    v.lanes("mask", mask), v.lanes("depth", depth);
+    v.lanes("mask", mask);
+    if (F::kHasDepth) v.lanes("depth", depth);
   }
 };
 
@@ -153,7 +169,8 @@ struct Update {
   template <class V>
   void visit(V&& v) {
     v("index", index), v("x", x), v("y", y);
-    v.lanes("mask", mask), v.lanes("depth", depth);
+    v.lanes("mask", mask);
+    if (F::kHasDepth) v.lanes("depth", depth);
   }
 };
 

@@ -3,7 +3,8 @@
 //
 // A stamp shows few triangles, mostly one. A cycle shades all lanes of one triangle: one entry is read from TdbS, one set
 // of six multipliers gives the planes at the first pixel of the stamp, and an addition a lane the rest. Background lanes
-// count as a triangle of their own. Cycles of a stamp: the number of different indices in it.
+// count as a triangle of their own. Cycles of a stamp: the number of different indices in it. A flat triangle has its one
+// colour in TdbS and takes no multiplier.
 #ifndef HALFSPACE_HLS_SHADE_GOURAUD_HPP_
 #define HALFSPACE_HLS_SHADE_GOURAUD_HPP_
 
@@ -38,6 +39,17 @@ Lanes:
     const Word step = Word(raw(dx)) * Word(l % F::kLanesX) + Word(raw(dy)) * Word(l / F::kLanesX);
     const typename F::Colour rounded = from_raw<Plane>(raw(start) + step);
     colour[l] = from_raw<typename F::Colour>(raw(shade[l]) ? raw(rounded) : raw(colour[l]));
+  }
+}
+
+// The same of a flat triangle.
+template <class F>
+void flat_lanes(const typename F::ColourPlane& value, const Bit (&shade)[F::kLanes],
+                typename F::Colour (&colour)[F::kLanes]) {
+Lanes:
+  for (int l = 0; l < F::kLanes; ++l) {
+    HS_UNROLL
+    colour[l] = from_raw<typename F::Colour>(raw(shade[l]) ? raw(value) : raw(colour[l]));
   }
 }
 
@@ -79,9 +91,15 @@ Triangles:
       waits[l] = from_raw<Bit>(raw(waits[l]) & ~raw(shade[l]));
     }
     const Planes<F>& planes = database.planes[index - 1];
-    shade_lanes<F>(planes.r, planes.r_dx, planes.r_dy, x, y, shade, out.r);
-    shade_lanes<F>(planes.g, planes.g_dx, planes.g_dy, x, y, shade, out.g);
-    shade_lanes<F>(planes.b, planes.b_dx, planes.b_dy, x, y, shade, out.b);
+    if (F::kGouraud) {
+      shade_lanes<F>(planes.r, planes.r_dx, planes.r_dy, x, y, shade, out.r);
+      shade_lanes<F>(planes.g, planes.g_dx, planes.g_dy, x, y, shade, out.g);
+      shade_lanes<F>(planes.b, planes.b_dx, planes.b_dy, x, y, shade, out.b);
+    } else {
+      flat_lanes<F>(planes.r, shade, out.r);
+      flat_lanes<F>(planes.g, shade, out.g);
+      flat_lanes<F>(planes.b, shade, out.b);
+    }
   }
   pixel.write(out);
 }

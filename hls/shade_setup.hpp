@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The colour planes of a triangle, for TdbS. The reciprocal is the one of the triangle setup.
-// Interval of the RTL: 24 cycles in low, 30 in middle and high; 3 for an empty record.
+// The colour planes of a triangle, for TdbS. The reciprocal is the one of the triangle setup. A flat colour goes through.
+// Interval of the RTL: 24 cycles in low, 30 in middle and high; 3 for an empty record, 1 if flat.
 #ifndef HALFSPACE_HLS_SHADE_SETUP_HPP_
 #define HALFSPACE_HLS_SHADE_SETUP_HPP_
 
@@ -18,7 +18,11 @@ void shade_setup(Stream<Attributes<F>>& attributes, Stream<Planes<F>>& planes) {
   out.last = in.last;
   out.empty = in.empty;
   out.index = in.index;
-  if (!raw(in.empty)) {
+  if (!F::kGouraud) {
+    out.r = in.r[0];
+    out.g = in.g[0];
+    out.b = in.b[0];
+  } else if (!raw(in.empty)) {
     const Coord centre = from_raw<Coord>(1 << (F::kSubpixelBits - 1));  // of pixel 0
     PlaneBase<F> base;
     base.dx1 = in.dx1;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangle setup: edge functions, bounding box, the reciprocal of the area and the plane of depth (dual pipeline).
+// Triangle setup: edge functions, bounding box, the reciprocal of the area and the plane of depth (dual pipeline). Without
+// a plane there is no reciprocal.
 //
 // The vertices are put in one order: vertex 0 is the topmost, of these the leftmost; 1 and 2 follow clockwise on the
 // screen, D > 0. All six orders of three vertices therefore give the same bits. With that order
@@ -50,10 +51,11 @@ Vertices:
     const int v = order[i];
     out.vertices.x[i] = in.x[v];
     out.vertices.y[i] = in.y[v];
-    out.vertices.depth[i] = in.depth[v];
-    out.vertices.r[i] = in.r[v];
-    out.vertices.g[i] = in.g[v];
-    out.vertices.b[i] = in.b[v];
+    if (F::kHasDepth) out.vertices.depth[i] = in.depth[v];
+    const int colour = F::kGouraud ? v : 0;  // flat: of the vertex that came first
+    out.vertices.r[i] = in.r[colour];
+    out.vertices.g[i] = in.g[colour];
+    out.vertices.b[i] = in.b[colour];
   }
   out.dx1 = swap ? dxb : dxa;
   out.dy1 = swap ? dyb : dya;
@@ -140,28 +142,33 @@ void triangle_setup(const Frame<F>& frame, Stream<Triangle<F>>& triangle, Stream
       out.e_dy[i] = dx;
     }
 
-    PlaneBase<F> base;
-    base.dx1 = t.dx1;
-    base.dy1 = t.dy1;
-    base.dx2 = t.dx2;
-    base.dy2 = t.dy2;
-    base.inverse = area_reciprocal<F>(t.area);
-    base.dx = px - x[0];
-    base.dy = py - y[0];
-    const auto depth = plane_setup<F, typename F::DepthChannel>(
-        base, t.vertices.depth[0], t.vertices.depth[1], t.vertices.depth[2]);
-    out.depth = depth.start;
-    out.depth_dx = depth.dx;
-    out.depth_dy = depth.dy;
-
-    shade.x = x[0];
-    shade.y = y[0];
-    shade.dx1 = t.dx1;
-    shade.dy1 = t.dy1;
-    shade.dx2 = t.dx2;
-    shade.dy2 = t.dy2;
-    shade.shift = base.inverse.shift;
-    shade.reciprocal = base.inverse.reciprocal;
+    AreaReciprocal<F> inverse{};
+    if (F::kHasPlanes) inverse = area_reciprocal<F>(t.area);
+    if (F::kHasDepth) {
+      PlaneBase<F> base;
+      base.dx1 = t.dx1;
+      base.dy1 = t.dy1;
+      base.dx2 = t.dx2;
+      base.dy2 = t.dy2;
+      base.inverse = inverse;
+      base.dx = px - x[0];
+      base.dy = py - y[0];
+      const auto depth = plane_setup<F, typename F::DepthChannel>(
+          base, t.vertices.depth[0], t.vertices.depth[1], t.vertices.depth[2]);
+      out.depth = depth.start;
+      out.depth_dx = depth.dx;
+      out.depth_dy = depth.dy;
+    }
+    if (F::kGouraud) {
+      shade.x = x[0];
+      shade.y = y[0];
+      shade.dx1 = t.dx1;
+      shade.dy1 = t.dy1;
+      shade.dx2 = t.dx2;
+      shade.dy2 = t.dy2;
+      shade.shift = inverse.shift;
+      shade.reciprocal = inverse.reciprocal;
+    }
   Colours:
     for (int i = 0; i < 3; ++i) {
       HS_UNROLL

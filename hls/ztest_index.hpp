@@ -4,6 +4,7 @@
 //
 // A fragment passes when its depth is less than the stored one; the first drawn wins a tie. A pixel of index 0 has
 // nothing stored and counts as farthest, 2^b − 1, whatever its depth word holds: clearing the I-buffer clears both.
+// Without depth all lie equally far, so a fragment passes where the index is 0.
 // A stamp a cycle.
 #ifndef HALFSPACE_HLS_ZTEST_INDEX_HPP_
 #define HALFSPACE_HLS_ZTEST_INDEX_HPP_
@@ -27,7 +28,7 @@ Stamps:
     const Stamp<F> in = stamp.read();
     const int address = int(raw(in.y)) * F::kStampsX + int(raw(in.x));
     typename F::Index* const stored_index = index_buffer.index[address];
-    Depth* const stored_depth = depth_buffer.depth[address];
+    Depth* const stored_depth = depth_buffer.depth[F::kHasDepth ? address : 0];
 
     Update<F> out;
     out.index = in.index;
@@ -38,15 +39,15 @@ Stamps:
     for (int l = 0; l < F::kLanes; ++l) {
       HS_UNROLL
       const auto index = raw(stored_index[l]);
-      const auto stored = raw(stored_depth[l]);
+      typename Bit::Carrier nearer = typename Bit::Carrier(index == 0);
       const auto depth = raw(in.depth[l]);
-      const auto limit = index == 0 ? farthest : stored;
-      const typename Bit::Carrier pass = raw(in.mask[l]) & typename Bit::Carrier(depth < limit);
+      if (F::kHasDepth) nearer = typename Bit::Carrier(depth < (index == 0 ? farthest : raw(stored_depth[l])));
+      const typename Bit::Carrier pass = raw(in.mask[l]) & nearer;
       any |= pass;
       out.mask[l] = from_raw<Bit>(pass);
       out.depth[l] = from_raw<Depth>(depth);
       stored_index[l] = from_raw<typename F::Index>(pass ? raw(in.index) : index);
-      stored_depth[l] = from_raw<Depth>(pass ? depth : stored);
+      if (F::kHasDepth) stored_depth[l] = from_raw<Depth>(pass ? depth : raw(stored_depth[l]));
     }
     if (any) update.write(out);
     any_of_triangle = any_of_triangle || any;

@@ -52,6 +52,12 @@ class Raster {
 
  private:
   int colour_bits() const { return list_.format.colour_bits; }
+  bool has_depth() const { return list_.format.depth_bits != 0; }
+  // All 0 without depth.
+  Plane depth_plane(const OrderedTriangle& t, const SnappedTriangle& of) const {
+    if (!has_depth()) return Plane(t, {0, 0, 0});
+    return Plane(t, {of.depth[0], of.depth[1], of.depth[2]});
+  }
   std::int64_t centre(std::int64_t pixel) const { return pixel * one_ + one_ / 2; }
   // The pixels of a row (column) of `size` whose centres lie in [low, high].
   Span pixels_between(std::int64_t low, std::int64_t high, int size) const {
@@ -64,7 +70,7 @@ class Raster {
     const SnappedTriangle& snapped = list_.triangles[k - 1];
     const OrderedTriangle t(snapped);
     if (t.area == 0) return;
-    const Plane depth(t, {snapped.depth[0], snapped.depth[1], snapped.depth[2]});
+    const Plane depth = depth_plane(t, snapped);
     const auto [x_min, x_max] = std::minmax_element(t.x.begin(), t.x.end());
     const auto [y_min, y_max] = std::minmax_element(t.y.begin(), t.y.end());
     const Span columns = pixels_between(*x_min, *x_max, list_.width);
@@ -85,9 +91,13 @@ class Raster {
     const Wide step = Wide(depth.step_x) * one_;
     for (std::int64_t column = span.first; column <= span.last; ++column, numerator += step) {
       const std::size_t at = std::size_t(row) * list_.width + column;
-      const std::int64_t fragment = depth.rounded(numerator);
-      if (fragment >= std::int64_t(frame_.depth[at])) continue;
-      frame_.depth[at] = static_cast<std::uint32_t>(fragment);
+      if (!has_depth()) {
+        if (frame_.index[at] != 0) continue;
+      } else {
+        const std::int64_t fragment = depth.rounded(numerator);
+        if (fragment >= std::int64_t(frame_.depth[at])) continue;
+        frame_.depth[at] = static_cast<std::uint32_t>(fragment);
+      }
       frame_.index[at] = k;
       frame_.visible[k - 1] = true;
     }
@@ -101,10 +111,12 @@ class Raster {
     if (k != 0) {
       const SnappedTriangle& snapped = list_.triangles[k - 1];
       const OrderedTriangle t(snapped);
-      const Plane depth(t, {snapped.depth[0], snapped.depth[1], snapped.depth[2]});
+      const Plane depth = depth_plane(t, snapped);
       for (std::size_t i = at; i < end; ++i) frame_.exact_depth[i] = depth.exact(numerator_at(depth, i));
       for (int c = 0; c < 3; ++c) {
-        const Plane colour(t, {snapped.rgb[0][c], snapped.rgb[1][c], snapped.rgb[2][c]});
+        std::array<std::int64_t, 3> of_vertex{snapped.rgb[0][c], snapped.rgb[1][c], snapped.rgb[2][c]};
+        if (list_.format.flat) of_vertex.fill(snapped.rgb[0][c]);
+        const Plane colour(t, of_vertex);
         for (std::size_t i = at; i < end; ++i) {
           const Wide numerator = numerator_at(colour, i);
           frame_.exact_colour[i][c] = colour.exact(numerator) * (255.0 / full_depth(colour_bits()));

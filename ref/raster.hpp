@@ -20,7 +20,7 @@ namespace halfspace::ref {
 struct Frame {
   int width, height;
   std::vector<std::uint32_t> index;                 // 0 background, k the k-th triangle
-  std::vector<std::uint32_t> depth;                 // background 2^b - 1
+  std::vector<std::uint32_t> depth;                 // background 2^b - 1; without depth 0 everywhere
   std::vector<std::array<std::uint8_t, 4>> colour;  // r, g, b, 255
   // Of the triangle that is visible, before rounding; colours of 0 … 255.
   std::vector<double> exact_depth;
@@ -28,7 +28,8 @@ struct Frame {
   std::vector<bool> visible;  // triangle k at [k - 1]: has a fragment passed the test when it was drawn?
 };
 
-// Depth test less, so that the first drawn wins a tie and a fragment at 2^b - 1 never passes.
+// Depth test less, so that the first drawn wins a tie and a fragment at 2^b - 1 never passes. Without depth the first drawn
+// wins each pixel.
 Frame render(const SnappedList&);
 
 // Is the centre of pixel (px, py) in the triangle? Positions below 2^30 in magnitude, the pixel's too.

@@ -90,7 +90,7 @@ TriangleList unsnap(const SnappedList& list) {
   for (const SnappedTriangle& s : list.triangles) {
     auto& triangle = out.triangles.emplace_back();
     for (int v = 0; v < 3; ++v) {
-      triangle[v] = {std::ldexp(s.x[v], -f), std::ldexp(s.y[v], -f), s.depth[v] / full,
+      triangle[v] = {std::ldexp(s.x[v], -f), std::ldexp(s.y[v], -f), full == 0 ? 0 : s.depth[v] / full,
                      s.rgb[v][0] * colour,    s.rgb[v][1] * colour,    s.rgb[v][2] * colour};
     }
   }

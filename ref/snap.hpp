@@ -19,8 +19,9 @@ struct RasterFormat {
   int triangles;      // triangles a frame
   int range_bits;     // positions lie in [-2^(range_bits-1), 2^(range_bits-1)) pixels
   int subpixel_bits;  // f, fraction bits of a position, 1 or more
-  int depth_bits;     // b, bits of a stored depth, 32 or less
+  int depth_bits;     // b, bits of a stored depth, 32 or less; 0: no depth, the first drawn wins
   int colour_bits = 8;  // bits of a channel, 8 or less
+  bool flat = false;    // a triangle has the colour of its vertex 0
 };
 
 struct SnappedTriangle {
@@ -36,8 +37,10 @@ struct SnappedList {
   std::vector<SnappedTriangle> triangles;
 };
 
-// 2^b - 1: the depth of the background.
-constexpr std::uint32_t full_depth(int depth_bits) { return 0xffffffffu >> (32 - depth_bits); }
+// 2^b - 1: the depth of the background; 0 without depth.
+constexpr std::uint32_t full_depth(int depth_bits) {
+  return static_cast<std::uint32_t>((std::uint64_t(1) << depth_bits) - 1);
+}
 
 // A channel of `bits` as the 0 … 255 of a picture.
 constexpr std::uint8_t displayed_colour(unsigned value, int bits) {
@@ -52,7 +55,7 @@ double snapped_position(double pixels, int subpixel_bits);
 // `others` that takes the list.
 SnappedList snap(const TriangleList&, const RasterFormat&, const std::vector<RasterFormat>& others = {});
 
-// snap(unsnap(s)) is s.
+// snap(unsnap(s)) is s, but for depths that a format without depth has not.
 TriangleList unsnap(const SnappedList&);
 
 }  // namespace halfspace::ref

@@ -13,7 +13,7 @@ struct Accuracy {
   std::uint64_t pixels = 0;
   std::uint64_t covered_differ = 0;  // one shows a triangle, the other the background
   std::uint64_t index_differ = 0;
-  // Where the indices agree and are not the background:
+  // Where the indices agree and are not the background; without depth the depths are equal:
   std::uint64_t compared = 0;
   std::int64_t depth_largest = 0;   // LSB of the stored depth
   std::uint64_t depth_differ = 0;

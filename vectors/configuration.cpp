@@ -23,14 +23,18 @@ const std::vector<ConfigField>& config_fields() {
       {"triangles", &Config::triangles, "a frame"},
       {"range_bits", &Config::range_bits, "vertices lie within ±2^(range_bits−1) pixels: the guard band"},
       {"subpixel_bits", &Config::subpixel_bits, "f: fraction bits of a vertex position"},
-      {"depth_bits", &Config::depth_bits, "of a stored depth"},
+      {"depth_bits", &Config::depth_bits, "of a stored depth; 0: no Z-buffer, the first drawn wins each pixel"},
       {"colour_bits", &Config::colour_bits, "of a channel"},
-      {"reciprocal_bits", &Config::reciprocal_bits, "r: fraction bits of the reciprocal of the area"},
-      {"depth_fraction", &Config::depth_fraction, "g: fraction bits of the gradients of depth"},
-      {"colour_fraction", &Config::colour_fraction, "g: fraction bits of the gradients of colour"},
+      {"reciprocal_bits", &Config::reciprocal_bits, "r: fraction bits of the reciprocal of the area; 0 without depth and flat"},
+      {"depth_fraction", &Config::depth_fraction, "g: fraction bits of the gradients of depth; 0 without depth"},
+      {"colour_fraction", &Config::colour_fraction, "g: fraction bits of the gradients of colour; 0 if flat"},
       {"lanes", &Config::lanes, "pixels a cycle, where the command line says nothing"}};
   return fields;
 }
+
+const char* const kShadingWhat = "or \"flat\": a triangle has the colour of its first vertex";
+
+const char* shading_name(Shading shading) { return shading == Shading::kFlat ? "flat" : "gouraud"; }
 
 std::string refusal_text(Refusal refusal) {
   switch (refusal) {
@@ -38,10 +42,13 @@ std::string refusal_text(Refusal refusal) {
     case Refusal::kFrameSize: return "width and height are 1 to 8192 pixels";
     case Refusal::kTriangles: return "triangles is 1 to 4194304";
     case Refusal::kSubpixelBits: return "subpixel_bits is 1 to 12";
-    case Refusal::kDepthBits: return "depth_bits is 2 to 32";
+    case Refusal::kDepthBits: return "depth_bits is 2 to 32, or 0 for no depth";
     case Refusal::kColourBits: return "colour_bits is 1 to 8";
     case Refusal::kLanes: return "lanes is 1, 2, 4, 8 or 16";
     case Refusal::kFractionBits: return "reciprocal_bits is 2 to 40, depth_fraction and colour_fraction are 1 to 40";
+    case Refusal::kIdleBits:
+      return "numbers of what is not there are 0: depth_fraction where depth_bits is 0, colour_fraction where shading is \"flat\", "
+             "reciprocal_bits where both are so";
     case Refusal::kFrameOutsideRange:
       return "the frame and 12 pixels around it do not lie within the range of positions: raise range_bits (20 at most) or make "
              "the frame smaller";
@@ -123,11 +130,20 @@ Configuration parse_configuration(const std::string& text, const std::string& so
       name = *value;
       continue;
     }
+    if (field == "shading") {
+      const auto value = node.value_exact<std::string>();
+      if (!value || (*value != "gouraud" && *value != "flat")) {
+        throw ref::Error(fmt::format("{}:{}: shading is \"gouraud\" or \"flat\"", source, line));
+      }
+      numbers.shading = *value == "flat" ? Shading::kFlat : Shading::kGouraud;
+      continue;
+    }
     const auto& fields = config_fields();
     const auto at = std::find_if(fields.begin(), fields.end(), [&](const ConfigField& f) { return field == f.name; });
     if (at == fields.end()) {
       std::string known = "name";
       for (const ConfigField& f : fields) known += fmt::format(", {}", f.name);
+      known += ", shading";
       throw ref::Error(fmt::format("{}:{}: there is no field '{}': the fields are {}", source, line, field, known));
     }
     const auto value = node.value_exact<std::int64_t>();
@@ -156,7 +172,7 @@ std::string configuration_toml(const Configuration& configuration) {
     const std::string line = fmt::format("{} = {}", field.name, c.*field.value);
     text += *field.what ? fmt::format("{:<24}# {}\n", line, field.what) : line + "\n";
   }
-  return text;
+  return text + fmt::format("{:<24}# {}\n", fmt::format("shading = \"{}\"", shading_name(c.shading)), kShadingWhat);
 }
 
 std::string configuration_header(const Configuration& configuration) {
@@ -171,6 +187,7 @@ std::string configuration_header(const Configuration& configuration) {
   if (type.empty() || std::isdigit(static_cast<unsigned char>(type[0]))) type = "Configuration" + type;
   const Config c = configuration.config();
   for (const ConfigField& field : config_fields()) numbers += fmt::format(", {}", c.*field.value);
+  numbers += c.shading == Shading::kFlat ? ", Shading::kFlat" : ", Shading::kGouraud";
   return fmt::format(
       "// SPDX-License-Identifier: Apache-2.0\n"
       "// Configuration `{0}` for the kernels, in the order of Config. Printed by `halfspace config {0} --header FILE` from its\n"
@@ -189,7 +206,8 @@ std::string configuration_header(const Configuration& configuration) {
 
 ref::RasterFormat raster_format(const Configuration& configuration) {
   const Config c = configuration.config();
-  return {configuration.name(), c.width, c.height, c.triangles, c.range_bits, c.subpixel_bits, c.depth_bits, c.colour_bits};
+  return {configuration.name(), c.width, c.height, c.triangles, c.range_bits, c.subpixel_bits, c.depth_bits, c.colour_bits,
+          !is_gouraud(c)};
 }
 
 }  // namespace halfspace::vectors

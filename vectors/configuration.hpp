@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Configurations by name or from a file: TOML with the fields of Config, all of them, and nothing else.
+// Configurations by name or from a file: TOML with the fields of Config, all of them but `shading`, which is "gouraud" where
+// nothing is said, and nothing else.
 #ifndef HALFSPACE_VECTORS_CONFIGURATION_HPP_
 #define HALFSPACE_VECTORS_CONFIGURATION_HPP_
 
@@ -18,6 +19,10 @@ struct ConfigField {
   const char* what;
 };
 const std::vector<ConfigField>& config_fields();
+
+// "gouraud" or "flat", the field `shading`, and what it means.
+const char* shading_name(Shading);
+extern const char* const kShadingWhat;
 
 // A Config that was accepted, with the name that it points to.
 class Configuration {

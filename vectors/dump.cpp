@@ -116,9 +116,15 @@ void write_dump(const std::string& folder, const ref::SnappedList& scene, const 
   staged.write("depth.u32", bytes_of(frame.depth));
   staged.write("colour.rgba8", bytes_of(frame.colour));
   std::ostringstream triangles;
-  // Other tools read this file: a size and triangles, no line of ours for the background.
+  // Other tools read this file: a size and triangles, no line of ours for the background, and no flat shading but by equal
+  // colours.
   ref::TriangleList list = ref::unsnap(scene);
   list.background = {0, 0, 0};
+  if (scene.format.flat) {
+    for (auto& t : list.triangles) {
+      for (ref::Vertex& v : t) v.r = t[0].r, v.g = t[0].g, v.b = t[0].b;
+    }
+  }
   ref::write_tri(triangles, list);
   staged.write("triangles.tri", triangles.str());
   staged.commit();

@@ -123,7 +123,7 @@ class KernelEngine : public Engine {
   void copy_buffers(const ref::SnappedList& scene, ref::Frame& frame) const {
     frame.index.resize(std::size_t(scene.width) * scene.height);
     frame.depth.resize(frame.index.size());
-    const std::uint32_t farthest = (std::uint64_t(1) << F::kDepthBits) - 1;
+    const std::uint32_t farthest = ref::full_depth(F::kDepthBits);
     for (int y = 0; y < scene.height; ++y) {
       for (int x = 0; x < scene.width; ++x) {
         const int address = (y >> F::kLog2LanesY) * F::kStampsX + (x >> F::kLog2LanesX);
@@ -131,7 +131,7 @@ class KernelEngine : public Engine {
         const std::uint32_t index = raw(buffers_->index.index[address][lane]);
         frame.index[std::size_t(y) * scene.width + x] = index;
         frame.depth[std::size_t(y) * scene.width + x] =
-            index == 0 ? farthest : std::uint32_t(raw(buffers_->depth.depth[address][lane]));
+            index == 0 || !F::kHasDepth ? farthest : std::uint32_t(raw(buffers_->depth.depth[address][lane]));
       }
     }
   }

@@ -5,32 +5,36 @@
 
 namespace halfspace::vectors {
 
+namespace {
+constexpr bool always(const Config&) { return true; }
+}  // namespace
+
 const std::vector<FormatField>& format_fields() {
   using T = FormatTable;
   static const std::vector<FormatField> fields = {
-      {"x", &T::x, "frame widths and columns, 0 … width"},
-      {"y", &T::y, "frame heights and rows, 0 … height"},
-      {"index", &T::index, "0 is the background, 1 … triangles"},
-      {"coord", &T::coord, "c = range_bits + f"},
-      {"delta", &T::delta, "c + 1: a difference of positions"},
-      {"area", &T::area, "2c: twice the area of a triangle in a square is its area at most"},
-      {"signed_area", &T::signed_area, "2c + 1: before the winding is known"},
-      {"edge", &T::edge, "2c + 1: twice the area of (vertex, vertex, pixel centre), less one"},
-      {"edge_step", &T::edge_step, "2c + 1 − f: the low f bits never change"},
-      {"reciprocal", &T::reciprocal, "r + 1: 2^(r−1) < R <= 2^r"},
-      {"shift", &T::shift, "floor(log2 D), 0 … 2c − 1"},
-      {"depth", &T::depth, "b of depth"},
-      {"depth_plane", &T::depth_plane, "b + g: modulo 2^b, as the error is below ½"},
-      {"depth_gradient", &T::depth_gradient, "b + g: steps of whole pixels, modulo 2^b"},
-      {"depth_numerator", &T::depth_numerator, "b + c + 2: |dv1·dy2 − dv2·dy1| < 2^(b+c+1)"},
-      {"depth_start", &T::depth_start, "b + g + f: products of g and f fraction bits, modulo 2^b"},
-      {"depth_start_gradient", &T::depth_start_gradient, "b + f + g: times a multiple of 2^−f, modulo 2^b"},
-      {"colour", &T::colour, "b of a channel"},
-      {"colour_plane", &T::colour_plane, "b + g"},
-      {"colour_gradient", &T::colour_gradient, "b + g"},
-      {"colour_numerator", &T::colour_numerator, "b + c + 2"},
-      {"colour_start", &T::colour_start, "b + g + f"},
-      {"colour_start_gradient", &T::colour_start_gradient, "b + f + g"}};
+      {"x", &T::x, "frame widths and columns, 0 … width", always},
+      {"y", &T::y, "frame heights and rows, 0 … height", always},
+      {"index", &T::index, "0 is the background, 1 … triangles", always},
+      {"coord", &T::coord, "c = range_bits + f", always},
+      {"delta", &T::delta, "c + 1: a difference of positions", always},
+      {"area", &T::area, "2c: twice the area of a triangle in a square is its area at most", always},
+      {"signed_area", &T::signed_area, "2c + 1: before the winding is known", always},
+      {"edge", &T::edge, "2c + 1: twice the area of (vertex, vertex, pixel centre), less one", always},
+      {"edge_step", &T::edge_step, "2c + 1 − f: the low f bits never change", always},
+      {"reciprocal", &T::reciprocal, "r + 1: 2^(r−1) < R <= 2^r", has_planes},
+      {"shift", &T::shift, "floor(log2 D), 0 … 2c − 1", has_planes},
+      {"depth", &T::depth, "b of depth", has_depth},
+      {"depth_plane", &T::depth_plane, "b + g: modulo 2^b, as the error is below ½", has_depth},
+      {"depth_gradient", &T::depth_gradient, "b + g: steps of whole pixels, modulo 2^b", has_depth},
+      {"depth_numerator", &T::depth_numerator, "b + c + 2: |dv1·dy2 − dv2·dy1| < 2^(b+c+1)", has_depth},
+      {"depth_start", &T::depth_start, "b + g + f: products of g and f fraction bits, modulo 2^b", has_depth},
+      {"depth_start_gradient", &T::depth_start_gradient, "b + f + g: times a multiple of 2^−f, modulo 2^b", has_depth},
+      {"colour", &T::colour, "b of a channel", always},
+      {"colour_plane", &T::colour_plane, "b + g", is_gouraud},
+      {"colour_gradient", &T::colour_gradient, "b + g", is_gouraud},
+      {"colour_numerator", &T::colour_numerator, "b + c + 2", is_gouraud},
+      {"colour_start", &T::colour_start, "b + g + f", is_gouraud},
+      {"colour_start_gradient", &T::colour_start_gradient, "b + f + g", is_gouraud}};
   return fields;
 }
 

@@ -122,6 +122,7 @@ struct RuntimeFormats {
   static constexpr int kLog2LanesX = exact_log2(kLanesX), kLog2LanesY = exact_log2(kLanesY);
   static inline thread_local int kWidth, kHeight, kStampsX, kStampsY, kStamps, kTriangles, kSubpixelBits,
       kReciprocalFraction, kAreaBits, kDepthBits, kColourBits;
+  static inline thread_local bool kHasDepth, kGouraud, kHasPlanes;
 
   static void activate(const Config& c, const FormatTable& table) {
     runtime_table = table;
@@ -133,6 +134,7 @@ struct RuntimeFormats {
     kReciprocalFraction = c.reciprocal_bits;
     kAreaBits = table.area.width;
     kDepthBits = c.depth_bits, kColourBits = c.colour_bits;
+    kHasDepth = has_depth(c), kGouraud = is_gouraud(c), kHasPlanes = has_planes(c);
   }
 
   using X = RuntimeFixed<&FormatTable::x, false>;
@@ -189,7 +191,7 @@ struct IndexBuffer<RuntimeFormats<S>> {
 template <class S>
 struct DepthBuffer<RuntimeFormats<S>> {
   using F = RuntimeFormats<S>;
-  std::vector<RuntimeRow<typename F::Depth, F::kLanes>> depth = decltype(depth)(std::size_t(F::kStamps));
+  std::vector<RuntimeRow<typename F::Depth, F::kLanes>> depth = decltype(depth)(std::size_t(F::kHasDepth ? F::kStamps : 1));
 };
 template <class S>
 struct ShadingDatabase<RuntimeFormats<S>> {

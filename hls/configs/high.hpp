@@ -9,7 +9,7 @@
 namespace halfspace {
 
 struct High {
-  static constexpr Config config() { return {"high", 1920, 1080, 262144, 14, 8, 24, 8, 28, 15, 18, 4}; }
+  static constexpr Config config() { return {"high", 1920, 1080, 262144, 14, 8, 24, 8, 28, 15, 18, 4, Shading::kGouraud}; }
 };
 
 }  // namespace halfspace

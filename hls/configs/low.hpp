@@ -9,7 +9,7 @@
 namespace halfspace {
 
 struct Low {
-  static constexpr Config config() { return {"low", 320, 200, 4096, 10, 4, 16, 8, 18, 13, 14, 4}; }
+  static constexpr Config config() { return {"low", 320, 200, 4096, 10, 4, 16, 8, 18, 13, 14, 4, Shading::kGouraud}; }
 };
 
 }  // namespace halfspace

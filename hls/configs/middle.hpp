@@ -9,7 +9,7 @@
 namespace halfspace {
 
 struct Middle {
-  static constexpr Config config() { return {"middle", 640, 480, 16384, 11, 8, 24, 8, 26, 14, 15, 4}; }
+  static constexpr Config config() { return {"middle", 640, 480, 16384, 11, 8, 24, 8, 26, 14, 15, 4, Shading::kGouraud}; }
 };
 
 }  // namespace halfspace

@@ -20,8 +20,11 @@ namespace halfspace {
 
 using TopFormats = Formats<HALFSPACE_TOP_CONFIG, HALFSPACE_TOP_STAMP>;
 
-constexpr int kTriangleFields = 20, kSetupFields = 20, kAttributesFields = 20, kPlanesFields = 12, kVisibleFields = 3;
-constexpr int kStampFields = 5 + 2 * TopFormats::kLanes, kUpdateFields = 3 + 2 * TopFormats::kLanes;
+constexpr int kVertexColours = TopFormats::kGouraud ? 9 : 3, kVertexDepths = TopFormats::kHasDepth ? 3 : 0;
+constexpr int kTriangleFields = 8 + kVertexDepths + kVertexColours, kSetupFields = 17 + (TopFormats::kHasDepth ? 3 : 0);
+constexpr int kAttributesFields = TopFormats::kGouraud ? 20 : 6, kPlanesFields = TopFormats::kGouraud ? 12 : 6;
+constexpr int kStampLanes = (TopFormats::kHasDepth ? 2 : 1) * TopFormats::kLanes;
+constexpr int kStampFields = 5 + kStampLanes, kUpdateFields = 3 + kStampLanes, kVisibleFields = 3;
 constexpr int kScanFields = 3 + TopFormats::kLanes, kPixelFields = 3 + 3 * TopFormats::kLanes;
 
 class FieldReader {
@@ -62,7 +65,7 @@ class FieldWriter {
 
 template <class Record>
 Record read_fields(const std::int64_t* fields) {
-  Record record;
+  Record record{};
   FieldReader reader(fields);
   record.visit(reader);
   return record;
