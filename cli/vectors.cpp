@@ -9,6 +9,7 @@
 #include "cli/scene_input.hpp"
 #include "ref/error.hpp"
 #include "vectors/engine.hpp"
+#include "vectors/extremes.hpp"
 #include "vectors/standard_set.hpp"
 #include "vectors/vector_set.hpp"
 
@@ -27,14 +28,16 @@ struct Options {
 void write_vectors(const Options& options) {
   std::vector<vectors::NamedFrame> frames;
   vectors::Configuration configuration = vectors::find_configuration(options.input.config.empty() ? "middle" : options.input.config);
-  const bool standard = options.input.scene == "standard";
-  if (!standard) {
+  const bool standard = options.input.scene == "standard", largest = options.input.scene == "largest";
+  const bool corners = standard || (options.corners && !largest);
+  if (!standard && !largest) {
     LoadedScene scene = load_snapped(options.input);
     configuration = scene.configuration;
     frames.push_back({options.input.scene, std::move(scene.list)});
   }
   const ref::RasterFormat format = vectors::raster_format(configuration);
-  if (standard || options.corners) {
+  if (largest) frames = vectors::largest_frames(format);
+  if (corners) {
     std::vector<vectors::NamedFrame> first = vectors::corner_frames(format);
     for (auto& frame : vectors::random_frames(format, options.seed, options.random, options.random_triangles)) {
       first.push_back(std::move(frame));
@@ -47,7 +50,7 @@ void write_vectors(const Options& options) {
   set.scene = options.input.scene;
   set.configuration = configuration;
   set.lanes = options.lanes ? options.lanes : configuration.config().lanes;
-  set.seed = standard || options.corners ? options.seed : 0;
+  set.seed = corners ? options.seed : 0;
   Progress progress("vectors " + set.scene);
   const std::string manifest = vectors::write_vector_set(
       options.out, set, frames, [&](std::size_t done, std::size_t total) { progress.tell(done, total); });
@@ -67,7 +70,8 @@ void add_vectors(CLI::App& app, int&) {
   CLI::App* command = app.add_subcommand("vectors", "write the words of every stream between two units");
   command->footer(
       "Annotated corner cases come first, then random frames, then the frame of SCENE; `standard` as SCENE stands\n"
-      "for the first two alone. Each stream is a text file that $readmemh reads; manifest.json tells the fields.\n");
+      "for the first two alone, and `largest` for the largest frame and the last index. Each stream is a text file that\n"
+      "$readmemh reads; manifest.json tells the fields.\n");
   add_scene_options(command, options->input);
   command->add_option("--lanes", options->lanes, "pixels a stamp: 1, 2, 4, 8, 16; default: the configuration's");
   command->add_option("--out", options->out, "folder to write")->required();
