@@ -1,22 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
-// Streams between kernels, and the pragmas. Natively a stream is an unbounded queue; a synthesis back end maps
-// Stream<T> to hls::stream<T> or ac_channel<T> and the macros to its own pragmas.
+// Streams between kernels, and the pragmas. Natively a stream is an unbounded queue; a synthesis tool has its own:
+//
+//   HALFSPACE_STREAM_HLS   hls::stream and the pragmas of Vitis HLS, which chooses this by itself
+//   HALFSPACE_STREAM_AC    ac_channel; the pragmas are left to Catapult's directives, which name a loop by its label
 #ifndef HALFSPACE_HLS_STREAM_HPP_
 #define HALFSPACE_HLS_STREAM_HPP_
 
-#if defined(__VITIS_HLS__) || defined(__SYNTHESIS__)
+#if defined(HALFSPACE_STREAM_AC)
+#include <ac_channel.h>
+#define HS_STREAM ac_channel
+#define HS_PIPELINE(interval)
+#define HS_UNROLL
+#elif defined(HALFSPACE_STREAM_HLS) || defined(__VITIS_HLS__)
 #include <hls_stream.h>
+#define HS_STREAM hls::stream
 #define HS_PRAGMA(x) _Pragma(#x)
 #define HS_PIPELINE(interval) HS_PRAGMA(HLS PIPELINE II = interval)
 #define HS_UNROLL HS_PRAGMA(HLS UNROLL)
+#endif
+
+#ifdef HS_STREAM
 namespace halfspace {
 template <class T>
-using Stream = hls::stream<T>;
+using Stream = HS_STREAM<T>;
 template <class T>
 struct Probe {
   void write(const T&) {}
 };
 }  // namespace halfspace
+#undef HS_STREAM
 #else
 #include <cassert>
 #include <cstddef>
