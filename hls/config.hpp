@@ -116,9 +116,9 @@ constexpr Refusal refusal(const Config& c) {
   if (has_planes(c) && c.reciprocal_bits < c.subpixel_bits + fraction) return Refusal::kReciprocalShort;
   const int position = c.range_bits + c.subpixel_bits;
   const int value = c.depth_bits > c.colour_bits ? c.depth_bits : c.colour_bits;
-  const int numerator = value + position + 2;
+  const int numerator = value + position + 1;
   if (2 * position + 3 > 64) return Refusal::kEdgeWord;
-  if (numerator + 1 > 64) return Refusal::kNumeratorWord;
+  if (numerator + 2 > 64) return Refusal::kNumeratorWord;  // the sum of its two products, as types grow
   if (numerator - 24 + c.reciprocal_bits + 1 > 63 || 24 + c.reciprocal_bits + 1 > 63) return Refusal::kGradientWord;
   if (c.depth_bits + c.depth_fraction + c.subpixel_bits > 63 || c.colour_bits + c.colour_fraction + c.subpixel_bits > 63) {
     return Refusal::kStartWord;

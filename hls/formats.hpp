@@ -60,9 +60,10 @@ constexpr FormatTable format_table(const Config& c) {
   t.colour_plane = {c.colour_bits + c.colour_fraction, c.colour_bits, false};
   t.depth_gradient = {t.depth_plane.width, depth_bits, true};
   t.colour_gradient = {t.colour_plane.width, c.colour_bits, true};
-  // N = dv1·dy2 − dv2·dy1, |dv| < 2^b, |dy| < 2^c units: |N| < 2^(b+c+1).
-  t.depth_numerator = {depth_bits + t.coord.width + 2, depth_bits + c.range_bits + 2, true};
-  t.colour_numerator = {c.colour_bits + t.coord.width + 2, c.colour_bits + c.range_bits + 2, true};
+  // N = dv1·dy2 − dv2·dy1 = v1·dy2 − v2·dy1 + v0·(dy1 − dy2): each v is in [0, 2^b), and the three factors sum to zero, so
+  // N is at most 2^b times their positive part, a distance between two vertices: |N| < 2^(b+c).
+  t.depth_numerator = {depth_bits + t.coord.width + 1, depth_bits + c.range_bits + 1, true};
+  t.colour_numerator = {c.colour_bits + t.coord.width + 1, c.colour_bits + c.range_bits + 1, true};
   // The start of a plane lies a multiple of 2^−f pixels from vertex 0: it is summed with f + g fraction bits, modulo
   // 2^b, and takes the gradients modulo 2^(b+f).
   t.depth_start = {t.depth_plane.width + f, depth_bits, true};

@@ -30,6 +30,31 @@ halfspace_cosim(low 1 standard TOP netlist STALL 30 SEEDS 1)
 halfspace_cosim(middle 4 standard TOP netlist STALL 30 SEEDS 1)
 halfspace_cosim(high 16 standard TOP netlist STALL 30 SEEDS 1)
 
+# Configurations that nobody named, from files: the package is printed and the bench built from it.
+function(halfspace_cosim_file name lanes top)
+  set(toml ${CMAKE_CURRENT_SOURCE_DIR}/configs/${name}.toml)
+  set(model ${CMAKE_CURRENT_BINARY_DIR}/model_${top}_${name}_${lanes})
+  file(GLOB units CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/rtl/hs_*.sv)
+  add_custom_command(OUTPUT ${model}/bench
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${model}
+    COMMAND halfspace package --config ${toml} -o ${model}/hs_formats_pkg.sv
+    COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tb/model.py --package ${model}/hs_formats_pkg.sv --lanes ${lanes}
+      --top hs_${top} --out ${model} --library $<TARGET_FILE:halfspace_tb> --library $<TARGET_FILE:halfspace_verilated>
+      --verilator ${HALFSPACE_VERILATOR} --cxx ${CMAKE_CXX_COMPILER} --optimize=-O0
+    DEPENDS halfspace halfspace_tb halfspace_verilated ${toml} ${units} ${PROJECT_SOURCE_DIR}/tb/model.py
+    COMMENT "Bench of hs_${top} (${name}.toml, ${lanes} lanes)" VERBATIM)
+  add_custom_target(model_${top}_${name}_${lanes} DEPENDS ${model}/bench)
+  add_dependencies(all_tests model_${top}_${name}_${lanes})
+  add_test(NAME ${top}_file_${name}_${lanes} COMMAND Python3::Interpreter ${cosim_tool} $<TARGET_FILE:halfspace> ${model}/bench
+           ${CMAKE_CURRENT_BINARY_DIR}/${top}_file_${name}_${lanes} standard ${toml} ${lanes} --stall 30 --seeds 3)
+endfunction()
+halfspace_cosim_file(odd 4 units)
+halfspace_cosim_file(odd 2 pipeline)
+halfspace_cosim_file(tiny 1 units)
+halfspace_cosim_file(tiny 16 pipeline)
+halfspace_cosim_file(wide 8 units)
+halfspace_cosim_file(wide 1 pipeline)
+
 # Every configuration with every number of lanes, under ten seeds.
 foreach(config IN LISTS HALFSPACE_CONFIGS)
   foreach(lanes IN LISTS HALFSPACE_LANES)

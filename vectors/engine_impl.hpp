@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "hls/pipeline.hpp"
+#include "ref/error.hpp"
 #include "vectors/engine.hpp"
 
 namespace halfspace::vectors {
@@ -90,6 +91,9 @@ class KernelEngine : public Engine {
 
   // Draws all triangles into the buffers.
   void draw(const ref::SnappedList& scene, std::vector<bool>* visible) {
+    if (scene.width > F::kWidth || scene.height > F::kHeight || scene.triangles.size() > std::size_t(F::kTriangles)) {
+      throw ref::Error("a frame is larger than the configuration that is to draw it: snap it for that configuration");
+    }
     if (visible) visible->resize(scene.triangles.size());
     const Frame<F> registers = frame_registers(scene);
     const std::size_t count = scene.triangles.size();

@@ -26,13 +26,13 @@ const std::vector<FormatField>& format_fields() {
       {"depth", &T::depth, "b of depth", has_depth},
       {"depth_plane", &T::depth_plane, "b + g: modulo 2^b, as the error is below ½", has_depth},
       {"depth_gradient", &T::depth_gradient, "b + g: steps of whole pixels, modulo 2^b", has_depth},
-      {"depth_numerator", &T::depth_numerator, "b + c + 2: |dv1·dy2 − dv2·dy1| < 2^(b+c+1)", has_depth},
+      {"depth_numerator", &T::depth_numerator, "b + c + 1: |dv1·dy2 − dv2·dy1| < 2^(b+c)", has_depth},
       {"depth_start", &T::depth_start, "b + g + f: products of g and f fraction bits, modulo 2^b", has_depth},
       {"depth_start_gradient", &T::depth_start_gradient, "b + f + g: times a multiple of 2^−f, modulo 2^b", has_depth},
       {"colour", &T::colour, "b of a channel", always},
       {"colour_plane", &T::colour_plane, "b + g", is_gouraud},
       {"colour_gradient", &T::colour_gradient, "b + g", is_gouraud},
-      {"colour_numerator", &T::colour_numerator, "b + c + 2", is_gouraud},
+      {"colour_numerator", &T::colour_numerator, "b + c + 1", is_gouraud},
       {"colour_start", &T::colour_start, "b + g + f", is_gouraud},
       {"colour_start_gradient", &T::colour_start_gradient, "b + f + g", is_gouraud}};
   return fields;

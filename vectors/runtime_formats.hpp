@@ -193,10 +193,19 @@ struct DepthBuffer<RuntimeFormats<S>> {
   using F = RuntimeFormats<S>;
   std::vector<RuntimeRow<typename F::Depth, F::kLanes>> depth = decltype(depth)(std::size_t(F::kHasDepth ? F::kStamps : 1));
 };
+// An address beyond the memory, from an index that was cut, wraps as in a RAM.
 template <class S>
 struct ShadingDatabase<RuntimeFormats<S>> {
   using F = RuntimeFormats<S>;
-  std::vector<Planes<F>> planes = decltype(planes)(std::size_t(F::kTriangles));
+  class Memory {
+   public:
+    Planes<F>& operator[](int address) { return entries_[std::size_t(address) % entries_.size()]; }
+    const Planes<F>& operator[](int address) const { return entries_[std::size_t(address) % entries_.size()]; }
+
+   private:
+    std::vector<Planes<F>> entries_ = decltype(entries_)(std::size_t(F::kTriangles));
+  };
+  Memory planes;
 };
 
 }  // namespace halfspace
