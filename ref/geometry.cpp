@@ -9,6 +9,7 @@
 #include "ref/clip.hpp"
 #include "ref/error.hpp"
 #include "ref/lighting.hpp"
+#include "ref/plane.hpp"
 #include "ref/snap.hpp"
 #include "ref/viewpoint.hpp"
 
@@ -29,7 +30,7 @@ class Geometry {
         viewpoint_(viewpoint(scene, double(view.width) / view.height)),
         lights_(scene.lights),
         frame_planes_(planes_around(0, view.width, 0, view.height)),
-        list_{view.width, view.height, {scene.background.r, scene.background.g, scene.background.b}, {}} {
+        list_{view.width, view.height, {scene.background.r, scene.background.g, scene.background.b}, {}, {}} {
     if (lights_.empty()) lights_.push_back(headlight());
     // One pixel inside the range, so that neither rounding nor snapping leads out of it.
     const double guard = std::ldexp(1.0, view.range_bits - 1) - 1;
@@ -71,7 +72,10 @@ class Geometry {
     const double handedness = glm::determinant(m) < 0 ? -1 : 1;
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
       const glm::dvec4 world = to_world * glm::dvec4(mesh.positions[i], 1);
-      lit.positions.push_back(viewpoint_.to_clip * world);
+      glm::dvec4 position = viewpoint_.to_clip * world;
+      position.x += 2 * view_.shift_x / view_.width * position.w;
+      position.y -= 2 * view_.shift_y / view_.height * position.w;
+      lit.positions.push_back(position);
       SurfacePoint point{world, handedness * (cofactors * mesh.normals[i]), viewpoint_.to_viewer(world),
                          mesh.colours.empty() ? glm::dvec3(1) : mesh.colours[i]};
       const double length = glm::length(point.normal);
@@ -90,6 +94,7 @@ class Geometry {
     const LitMesh lit = light(mesh, material, instance.to_world);
     const bool mirrored = glm::determinant(glm::dmat3(instance.to_world)) < 0;
     for (std::array<std::uint32_t, 3> corner : mesh.triangles) {
+      ++face_;
       if (mirrored) std::swap(corner[1], corner[2]);
       const glm::dvec4 &a = lit.positions[corner[0]], &b = lit.positions[corner[1]],
                        &c = lit.positions[corner[2]];
@@ -109,7 +114,9 @@ class Geometry {
     for (const ClipVertex& v : polygon) corners.push_back(viewport(v));
     for (std::size_t i = 2; i < corners.size(); ++i) {
       const std::array<Vertex, 3> triangle{corners[0], corners[i - 1], corners[i]};
-      if (two_sided || faces_viewer(triangle)) list_.triangles.push_back(triangle);
+      if (!two_sided && !faces_viewer(triangle)) continue;
+      list_.triangles.push_back(triangle);
+      list_.face.push_back(face_);
     }
   }
 
@@ -124,12 +131,12 @@ class Geometry {
   }
 
   // Counter-clockwise on the screen, which is a negative area as rows go downward. As snapped, so that what
-  // is kept is what the rasterizer sees; a double holds the products exactly.
+  // is kept is what the rasterizer sees.
   bool faces_viewer(const std::array<Vertex, 3>& t) const {
-    std::array<double, 3> x, y;
+    std::array<Wide, 3> x, y;
     for (int i = 0; i < 3; ++i) {
-      x[i] = snapped_position(t[i].x, view_.subpixel_bits);
-      y[i] = snapped_position(t[i].y, view_.subpixel_bits);
+      x[i] = std::int64_t(snapped_position(t[i].x, view_.subpixel_bits));
+      y[i] = std::int64_t(snapped_position(t[i].y, view_.subpixel_bits));
     }
     return (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]) < 0;
   }
@@ -140,6 +147,7 @@ class Geometry {
   std::vector<Light> lights_;
   std::vector<ClipPlane> frame_planes_, guard_planes_;
   TriangleList list_;
+  std::uint32_t face_ = 0;  // of the scene, the one at hand
 };
 
 }  // namespace
