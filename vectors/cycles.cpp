@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vectors/cycles.hpp"
+
+#include <algorithm>
+
+#include "hls/formats.hpp"
+
+namespace halfspace::vectors {
+namespace {
+
+using Cycle = std::int64_t;
+
+// Words a queue holds (parameters of rtl/hs_pipeline.sv); that of setups offers one more.
+constexpr std::size_t kSetupQueue = 512 + 1, kAttributesQueue = 4, kScanQueue = 4;
+
+// Passes of a factor of `bits`, its sign not counted, through a multiplier that takes `chunk` of them (hs_plane_setup).
+int passes(int bits, int chunk) { return (bits + chunk - 1) / chunk; }
+
+// What hs_triangle_setup makes of a triangle.
+struct SetupWork {
+  bool outside;   // the box holds no pixel centre
+  bool empty;     // or D = 0
+  bool swapped;   // D < 0 as the vertices come
+  int normalize;  // cycles to bring the leading one of D to the top
+};
+
+// The box holds a pixel centre of 0 … size − 1.
+bool holds_centre(const std::array<std::int32_t, 3>& at, int f, int size) {
+  const auto [low, high] = std::minmax_element(at.begin(), at.end());
+  const int half = 1 << (f - 1);
+  return std::max((*low + half - 1) >> f, 0) <= std::min((*high - half) >> f, size - 1);
+}
+
+SetupWork setup_work(const Config& c, const ref::SnappedList& scene, const ref::SnappedTriangle& t) {
+  SetupWork work{};
+  work.outside = !holds_centre(t.x, c.subpixel_bits, scene.width) || !holds_centre(t.y, c.subpixel_bits, scene.height);
+  std::int64_t area = (std::int64_t(t.x[1]) - t.x[0]) * (std::int64_t(t.y[2]) - t.y[0]) -
+                      (std::int64_t(t.y[1]) - t.y[0]) * (std::int64_t(t.x[2]) - t.x[0]);
+  work.empty = work.outside || area == 0;
+  work.swapped = area < 0;
+  if (work.swapped) area = -area;
+  if (area == 0) return work;
+  for (int zeros = 2 * (c.range_bits + c.subpixel_bits) - bits_for(area); zeros > 0; ++work.normalize) {
+    zeros -= zeros >= 16 ? 16 : zeros >= 4 ? 4 : 1;
+  }
+  return work;
+}
+
+// The last `size` of the cycles at which a queue was left, of words numbered from 0; before the first word is long ago.
+class Ring {
+ public:
+  explicit Ring(std::size_t size) : cycles_(size, -1) {}
+  Cycle oldest() const { return cycles_[at_]; }
+  void push(Cycle cycle) {
+    cycles_[at_] = cycle;
+    at_ = (at_ + 1) % cycles_.size();
+  }
+
+ private:
+  std::vector<Cycle> cycles_;
+  std::size_t at_ = 0;
+};
+
+class Pipeline {
+ public:
+  explicit Pipeline(const Config& c)
+      : has_planes_(has_planes(c)),
+        has_depth_(has_depth(c)),
+        division_(c.reciprocal_bits + 3),
+        depth_latency_(has_depth_ ? depth_plane_latency(c) : 0),
+        shade_setup_(unit_intervals(c).shade_setup),
+        setup_queue_(kSetupQueue),
+        attributes_queue_(kAttributesQueue) {}
+
+  // Its first triangle is let in at `open`; returns when it is drawn and its planes are stored.
+  Cycle draw(Cycle open, const std::vector<SetupWork>& triangles, const std::vector<int>& visits) {
+    edge_free_ = std::max(edge_free_, open);
+    for (std::size_t k = 0; k < triangles.size(); ++k) {
+      triangle(triangles[k], k + 1 == triangles.size(), std::max(visits[k], 1));
+    }
+    constexpr Cycle kToVisible = 8, kToPlanes = 9;
+    return std::max(raster_free_ + kToVisible, shade_free_ + kToPlanes);
+  }
+
+ private:
+  // Cycles are those in which a word moves; names as in hs_edge_setup, hs_reciprocal, hs_triangle_setup.
+  void triangle(const SetupWork& t, bool last, int visits) {
+    Cycle edge_take, edge_valid, reciprocal_valid = 0;
+    if (t.empty) {
+      edge_take = std::max(edge_free_ + (t.outside ? 2 : 6), record_take_);
+      edge_free_ = edge_take + 1;
+      edge_valid = edge_take + 1;
+    } else if (!has_planes_) {
+      edge_take = std::max(edge_free_ + 6 + t.swapped, record_take_);
+      edge_free_ = edge_take + 7;
+      edge_valid = edge_take + 10;
+    } else {
+      const Cycle send = std::max(edge_free_ + 6 + t.swapped, divide_load_);
+      edge_take = std::max(send + 1, record_take_);
+      edge_free_ = edge_take + 7;
+      edge_valid = edge_take + 10;
+      divide_load_ = std::max(send + 1 + t.normalize, divide_free_);
+      reciprocal_valid = divide_load_ + division_;
+    }
+    record_take_ = std::max({edge_valid, reciprocal_valid, record_free_});
+    if (!t.empty) divide_free_ = record_take_;
+    const Cycle setup_valid = record_take_ + 1 + (t.empty ? has_depth_ : depth_latency_);
+    const Cycle setup_taken = std::max(setup_valid, setup_queue_.oldest());
+    record_free_ = setup_taken;
+    if (!t.empty || last) {
+      const Cycle attributes_taken = std::max(record_take_ + 1, attributes_queue_.oldest() + 1);
+      record_free_ = std::max(record_free_, attributes_taken);
+      shade_free_ = std::max(attributes_taken, shade_free_) + (t.empty ? std::min(3, shade_setup_) : shade_setup_);
+      attributes_queue_.push(shade_free_);
+    }
+    const Cycle raster_load = std::max(setup_taken + 2, raster_free_);
+    setup_queue_.push(raster_load);
+    raster_free_ = raster_load + visits;
+  }
+
+  const bool has_planes_, has_depth_;
+  const int division_, depth_latency_, shade_setup_;
+  Ring setup_queue_, attributes_queue_;
+  Cycle edge_free_ = 0, divide_load_ = 0, divide_free_ = 0, record_take_ = 0, record_free_ = 0;
+  Cycle shade_free_ = 0, raster_free_ = 0;
+};
+
+// Of the finished frame: its stamps, and for each stamp the different triangles in it, one for background alone.
+struct ScanWork {
+  std::uint64_t stamps = 0, groups = 0, entries = 0;  // entries of TdbS that are read
+};
+
+ScanWork scan_work(const Engine& engine, const ref::Frame& frame) {
+  ScanWork work;
+  const int lanes_x = engine.lanes_x(), lanes_y = engine.lanes_y();
+  std::vector<std::uint32_t> seen;
+  for (int y = 0; y < frame.height; y += lanes_y) {
+    for (int x = 0; x < frame.width; x += lanes_x) {
+      seen.clear();
+      for (int j = y; j < std::min(y + lanes_y, frame.height); ++j) {
+        for (int i = x; i < std::min(x + lanes_x, frame.width); ++i) {
+          const std::uint32_t index = frame.index[std::size_t(j) * frame.width + i];
+          if (index != 0 && std::find(seen.begin(), seen.end(), index) == seen.end()) seen.push_back(index);
+        }
+      }
+      ++work.stamps;
+      work.groups += std::max<std::size_t>(seen.size(), 1);
+      work.entries += seen.size();
+    }
+  }
+  return work;
+}
+
+}  // namespace
+
+UnitIntervals unit_intervals(const Config& c) {
+  const FormatTable t = format_table(c);
+  // A job takes six products by a distance and two by R, each in as many passes as the factor has chunks; a triangle has
+  // three, which follow each other at once (hs_shade_setup). Flat colours go through.
+  constexpr int kChunk = 24;
+  const int colours = 3 * (6 * passes(t.delta.width - 1, kChunk) + 2 * passes(t.reciprocal.width, kChunk));
+  return {setup_interval(c), is_gouraud(c) ? colours : 1};
+}
+
+Cycles model_cycles(const Config& config, Engine& engine, const ref::SnappedList& scene, const ref::Frame& frame,
+                    int frames) {
+  const UnitIntervals intervals = unit_intervals(config);
+  const ScanWork scan = scan_work(engine, frame);
+  const std::vector<int> visits = engine.visits(scene);
+  std::vector<SetupWork> triangles;
+  Cycles result;
+  for (const ref::SnappedTriangle& t : scene.triangles) {
+    const SetupWork& work = triangles.emplace_back(setup_work(config, scene, t));
+    result.triangle_setup += work.outside ? 3 : work.empty ? 7 : intervals.triangle_setup;
+    result.shade_setup += work.empty ? 0 : intervals.shade_setup;
+  }
+  for (const int count : visits) result.raster += std::max(count, 1);
+  result.scan_out = scan.groups;
+
+  Pipeline pipeline(config);
+  std::vector<Cycle> pixel_done;
+  Cycle scan_free = 0, shade_free = 0;
+  for (int n = 0; n < frames; ++n) {
+    const Cycle open = n < 2 ? 0 : pixel_done[n - 2] + 1;
+    const Cycle start = std::max(pipeline.draw(open, triangles, visits), scan_free);
+    shade_free = std::max(start + 2, shade_free) + Cycle(scan.groups);
+    scan_free = std::max(start + 2 + Cycle(scan.stamps), shade_free - Cycle(kScanQueue));
+    constexpr Cycle kToPixel = 9;
+    pixel_done.push_back(shade_free + kToPixel);
+  }
+  result.frame = std::uint64_t(frames == 1 ? pixel_done[0] : pixel_done[frames - 1] - pixel_done[frames - 2]);
+  return result;
+}
+
+Traffic frame_traffic(const Config& config, Engine& engine, const ref::SnappedList& scene,
+                      const ref::Frame& frame) {
+  const FormatTable t = format_table(config);
+  const ScanWork scan = scan_work(engine, frame);
+  const std::uint64_t lanes = std::uint64_t(engine.lanes_x()) * engine.lanes_y();
+  std::uint64_t tested = 0, passed = 0, stored = 0;  // stamps, lanes, entries
+  engine.capture(scene, [&](const Layout& layout, const Word* words, std::size_t count) {
+    if (layout.stream == "stamp") tested = count;
+    for (const Field& field : layout.fields) {
+      if (layout.stream == "planes" && field.name == "empty") {
+        for (std::size_t n = 0; n < count; ++n) stored += !(words[n][field.lsb / 64] >> field.lsb % 64 & 1);
+      }
+      if (layout.stream != "update" || field.name != "mask") continue;
+      for (std::size_t n = 0; n < count; ++n) {
+        for (int bit = field.lsb; bit < field.lsb + field.count; ++bit) passed += words[n][bit / 64] >> bit % 64 & 1;
+      }
+    }
+  });
+  const auto bytes = [](std::uint64_t bits) { return (bits + 7) / 8; };
+  const std::uint64_t index = t.index.width, depth = has_depth(config) ? t.depth.width : 0;
+  const std::uint64_t entry = is_gouraud(config) ? 9 * t.colour_plane.width : 3 * t.colour.width;
+  Traffic traffic;
+  traffic.index_read = bytes((tested + scan.stamps) * lanes * index);
+  traffic.index_written = bytes((passed + scan.stamps * lanes) * index);
+  traffic.depth_read = bytes(tested * lanes * depth);
+  traffic.depth_written = bytes(passed * depth);
+  traffic.planes_read = bytes(scan.entries * entry);
+  traffic.planes_written = bytes(stored * entry);
+  return traffic;
+}
+
+}  // namespace halfspace::vectors

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// Cycles a frame of the RTL, and the traffic of its memories, without simulating it.
+//
+// The kernels tell what a frame asks of each unit: stamps visited, triangles in a stamp. The model moves triangles, not
+// clock edges: each unit takes what it offers after its interval and latency, waits for the one before it and for room in
+// the queue behind it (rtl/hs_pipeline.sv), as in the comments of rtl/hs_*.sv. Frames follow each other at once. Held to
+// the co-simulation in tests/sweep_test.py.
+#ifndef HALFSPACE_VECTORS_CYCLES_HPP_
+#define HALFSPACE_VECTORS_CYCLES_HPP_
+
+#include <cstdint>
+#include <vector>
+
+#include "hls/config.hpp"
+#include "ref/raster.hpp"
+#include "ref/snap.hpp"
+#include "vectors/engine.hpp"
+
+namespace halfspace::vectors {
+
+// Cycles of the units that depend on the configuration alone.
+struct UnitIntervals {
+  int triangle_setup;  // a triangle that is not empty; 3 when its box holds no pixel centre, 7 when only D is 0
+  int shade_setup;     // a triangle that is not empty
+};
+UnitIntervals unit_intervals(const Config&);
+
+struct Cycles {
+  std::uint64_t frame = 0;  // from the last pixel of a frame to the last of the next
+  // What the units would take that had never to wait: the slowest of them, and a little, is a frame.
+  std::uint64_t triangle_setup = 0, shade_setup = 0, raster = 0, scan_out = 0;
+};
+
+// `frame` is what `engine` renders `scene` to. Frames drawn back to back: the last is counted.
+Cycles model_cycles(const Config&, Engine& engine, const ref::SnappedList& scene, const ref::Frame& frame,
+                    int frames = 2);
+
+// Bytes a frame, words as wide as they are stored (not filled up to bytes); reads are of whole words, writes of the lanes
+// that change.
+struct Traffic {
+  std::uint64_t index_read = 0, index_written = 0;    // Z-test, scan-out and its clearing
+  std::uint64_t depth_read = 0, depth_written = 0;
+  std::uint64_t planes_read = 0, planes_written = 0;  // TdbS
+  std::uint64_t total() const {
+    return index_read + index_written + depth_read + depth_written + planes_read + planes_written;
+  }
+};
+Traffic frame_traffic(const Config&, Engine& engine, const ref::SnappedList& scene, const ref::Frame& frame);
+
+}  // namespace halfspace::vectors
+
+#endif  // HALFSPACE_VECTORS_CYCLES_HPP_

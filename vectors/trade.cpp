@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vectors/trade.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "vectors/engine.hpp"
+
+namespace halfspace::vectors {
+
+PictureError picture_error(const ref::IdealFrame& ideal, const ref::TriangleList& list, const ref::Frame& frame,
+                           int depth_bits) {
+  PictureError result;
+  result.pixels = ideal.face.size();
+  const double full = depth_bits ? ref::full_depth(depth_bits) : 0;
+  double squares = 0, colour_squares = 0, depth_squares = 0;
+  for (std::size_t n = 0; n < ideal.face.size(); ++n) {
+    const std::uint32_t face = ref::face_of(list, frame.index[n]);
+    double largest = 0, sum = 0;
+    for (int c = 0; c < 3; ++c) {
+      const double error = std::abs(frame.colour[n][c] - ideal.colour[n][c]);
+      largest = std::max(largest, error);
+      sum += error * error;
+    }
+    squares += sum;
+    if (face != ideal.face[n]) {
+      ++result.index_differ;
+      result.covered_differ += (face == 0) != (ideal.face[n] == 0);
+    } else if (face != 0) {
+      ++result.compared;
+      result.colour_largest = std::max(result.colour_largest, largest);
+      colour_squares += sum;
+      const double error = depth_bits ? std::abs(frame.depth[n] - ideal.depth[n] * full) : 0;
+      result.depth_largest = std::max(result.depth_largest, error);
+      depth_squares += error * error;
+    }
+  }
+  if (result.compared != 0) {
+    result.colour_rms = std::sqrt(colour_squares / (3 * double(result.compared)));
+    result.depth_rms = std::sqrt(depth_squares / double(result.compared));
+  }
+  result.psnr = squares == 0 ? std::numeric_limits<double>::infinity()
+                             : 10 * std::log10(255.0 * 255 * 3 * double(result.pixels) / squares);
+  return result;
+}
+
+void ShimmerMeter::add(const ref::IdealFrame& ideal, const ref::TriangleList& list, const ref::Frame& frame) {
+  const std::size_t pixels = ideal.face.size();
+  const bool first = frames_++ == 0;
+  if (first) error_.resize(pixels), wrong_.resize(pixels);
+  for (std::size_t n = 0; n < pixels; ++n) {
+    for (int c = 0; c < 3; ++c) {
+      const auto error = float(frame.colour[n][c] - ideal.colour[n][c]);
+      const double change = double(error) - error_[n][c];
+      if (!first) squares_ += change * change;
+      error_[n][c] = error;
+    }
+    const bool wrong = ref::face_of(list, frame.index[n]) != ideal.face[n];
+    changes_ += !first && wrong != wrong_[n];
+    wrong_[n] = wrong;
+  }
+}
+
+Shimmer ShimmerMeter::result() const {
+  const double steps = double(frames_ - 1);
+  return {std::sqrt(squares_ / (3 * steps * double(error_.size()))), double(changes_) / steps};
+}
+
+namespace {
+
+double median_ms(Engine& engine, const ref::SnappedList& scene) {
+  std::array<double, 5> times;
+  std::vector<std::array<std::uint8_t, 4>> colour;
+  for (double& time : times) {
+    const auto start = std::chrono::steady_clock::now();
+    engine.render_colour(scene, colour);
+    time = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  }
+  std::nth_element(times.begin(), times.begin() + 2, times.end());
+  return times[2];
+}
+
+bool is_named(const Config& config) {
+  for (const Configuration& named : named_configurations()) {
+    const Config other = named.config();
+    bool same = named.name() == config.name && other.shading == config.shading;
+    for (const ConfigField& field : config_fields()) {
+      same = same && (other.*field.value == config.*field.value || field.value == &Config::lanes);
+    }
+    if (same) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Trade measure_trade(const Projection& project, int width, int height, const Configuration& configuration, int lanes) {
+  const Config config = configuration.config();
+  const ref::RasterFormat format = raster_format(configuration);
+  const auto engine = make_engine(configuration, lanes);
+  Trade trade;
+  ShimmerMeter meter;
+  for (int k = 0; k < kPanFrames; ++k) {
+    const double x = k * kPanX, y = k * kPanY;
+    const ref::TriangleList list = project({width, height, config.range_bits, config.subpixel_bits, x, y});
+    const ref::SnappedList scene = ref::snap(list, format, raster_formats());
+    const ref::Frame frame = engine->render(scene);
+    const ref::IdealFrame ideal = ref::ideal(project(ref::ideal_view(width, height, x, y)));
+    meter.add(ideal, list, frame);
+    if (k != 0) continue;
+    trade.triangles = scene.triangles.size();
+    trade.ideal = picture_error(ideal, list, frame, config.depth_bits);
+    trade.reference = accuracy(ref::render(scene), frame, config.depth_bits);
+    trade.intervals = unit_intervals(config);
+    trade.cycles = model_cycles(config, *engine, scene, frame);
+    trade.traffic = frame_traffic(config, *engine, scene, frame);
+    trade.native_ms = median_ms(*engine, scene);
+  }
+  trade.shimmer = meter.result();
+  trade.compiled = is_named(config);
+  return trade;
+}
+
+}  // namespace halfspace::vectors
