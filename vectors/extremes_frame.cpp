@@ -2,6 +2,7 @@
 // Extremes of the snap, of sizes and of numbers of triangles.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "vectors/extremes.hpp"
@@ -21,6 +22,7 @@ ref::TriangleList finer_than_the_grid(const RasterFormat& format) {
       // Two with vertices near centres, two near the first grid line beside one, where a tie goes away from the centre.
       const double x = 4 * n + 0.5 + beside + (row % 2) * 2 * step, y = 6 * row + 0.5 + beside + (row % 2) * 2 * step;
       const double size = row < 2 ? 3 : -3, x0 = row < 2 ? x : x + 3, y0 = row < 2 ? y : y + 4;
+      if (std::max({x0, y0, x0 + size, y0 + size}) + 1 > std::ldexp(1, format.range_bits - 1)) continue;
       list.triangles.push_back(
           {{{x0, y0, 0.25, 255, 0, 9}, {x0 + size, y0, 0.5, 0, 255, 9}, {x0, y0 + size, 0.75, 0, 0, 9}}});
     }
