@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every kernel of a configuration: how far off it may be, by proof, and how far off it has been seen to be, and where.
+#ifndef HALFSPACE_VECTORS_BOUNDS_HPP_
+#define HALFSPACE_VECTORS_BOUNDS_HPP_
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "vectors/bounds_triangles.hpp"
+#include "vectors/configuration.hpp"
+
+namespace halfspace::vectors {
+
+// Where an error was seen, to look at again.
+struct Witness {
+  std::string kind;          // class of triangles; what else was looked at
+  std::uint64_t number = 0;  // in its class, from 1; 0: no place to look at
+  bool is_triangle = false;  // of which there is
+  ref::SnappedTriangle triangle{};
+  int x = -1, y = -1;  // pixel; −1 for what belongs to the triangle as a whole
+};
+
+struct BoundRow {
+  std::string kernel;  // empty: the configuration has no such quantity
+  std::string quantity, unit;
+  std::string proof;  // the script that proves it; empty: exact, and `seen` counts what differs
+  double proved = 0;  // largest |error|
+  std::uint64_t compared = 0;
+  double seen = 0;             // largest |error|
+  std::uint64_t exceeded = 0;  // of the compared values: beyond the bound, for planes that of their very pixel
+  Witness where{};
+
+  bool present() const { return !kernel.empty(); }
+  bool exact() const { return proof.empty(); }
+  // Another value. True when it is the worst so far, or the first that differs: `where` is then to be set.
+  bool see(double error, double bound);
+  bool count(std::uint64_t values, std::uint64_t differ);
+};
+
+// The rows of a report.
+enum Quantity {
+  kSnap,
+  kEdges,
+  kReciprocal,
+  kDepthGradient,
+  kDepthPlane,
+  kDepthPlaneInFrame,
+  kCoverage,
+  kDepthSteps,
+  kDepthRounded,
+  kZtest,
+  kColourGradient,
+  kColourPlane,
+  kColourPlaneInFrame,
+  kScan,
+  kColourSteps,
+  kColourRounded,
+  kQuantities
+};
+
+// Planes before rounding by class of triangles: the largest errors in LSB, and in shares of the bound of the same pixel.
+struct ClassRow {
+  std::string name;
+  std::uint64_t triangles = 0, pixels = 0;
+  double depth = 0, depth_share = 0, colour = 0, colour_share = 0;
+};
+
+struct BoundsReport {
+  std::vector<BoundRow> rows;  // by Quantity
+  std::vector<ClassRow> classes;
+
+  bool holds() const;  // nothing exceeded, and something compared in every row that is present
+};
+
+// The rows with nothing seen.
+BoundsReport proved_bounds(const Config& config);
+
+struct MeasureOptions {
+  int triangles = 400;  // of each class
+  std::uint64_t seed = 1;
+  std::function<void(std::size_t done, std::size_t total)> progress;  // may be empty
+};
+
+// Runs the kernels of the configuration.
+BoundsReport measured_bounds(const Configuration& configuration, const MeasureOptions& options);
+
+}  // namespace halfspace::vectors
+
+#endif  // HALFSPACE_VECTORS_BOUNDS_HPP_

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vectors/bounds_measure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+namespace halfspace::vectors {
+
+namespace {
+
+std::uint64_t low_bits(std::uint64_t value, int bits) { return value & ((std::uint64_t(1) << bits) - 1); }
+
+std::uint64_t register_at(const PlaneNumbers& n, const ProbedPlane& plane, int x, int y) {
+  const std::uint64_t at = plane.start + std::uint64_t(plane.dx) * std::uint64_t(std::int64_t(x) - plane.x) +
+                           std::uint64_t(plane.dy) * std::uint64_t(std::int64_t(y) - plane.y);
+  return low_bits(at, n.value_bits + n.fraction);
+}
+
+// Of what the register holds without its ½.
+double error_at(const PlaneNumbers& n, const ExactTriangle& exact, const Values& values, const ProbedPlane& plane, int x, int y) {
+  const std::uint64_t half = std::uint64_t(1) << (n.fraction - 1);
+  const std::uint64_t bits = low_bits(register_at(n, plane, x, y) - half, n.value_bits + n.fraction);
+  return register_error(bits, n.value_bits, n.fraction, exact.value(values, x, y), exact.area());
+}
+
+}  // namespace
+
+TriangleMeter::TriangleMeter(const Config& config, BoundsReport& report)
+    : config_(config),
+      report_(report),
+      probe_(make_kernel_probe(config)),
+      depth_{depth_numbers(config), kDepthGradient, kDepthPlane, kDepthPlaneInFrame, kDepthSteps, kDepthRounded},
+      colour_{colour_numbers(config), kColourGradient, kColourPlane, kColourPlaneInFrame, kColourSteps, kColourRounded} {}
+
+void TriangleMeter::begin(const std::string& class_name, int width, int height) {
+  report_.classes.push_back({class_name});
+  width_ = width, height_ = height;
+  probe_->set_frame(width, height);
+}
+
+Witness TriangleMeter::place(int x, int y) const {
+  const ClassRow& row = report_.classes.back();
+  return {row.name, row.triangles, true, triangle_, x, y};
+}
+
+void TriangleMeter::measure(const ref::SnappedTriangle& triangle) {
+  triangle_ = triangle;
+  ++report_.classes.back().triangles;
+  const int one = 1 << config_.subpixel_bits;
+  in_frame_ = true;
+  for (int v = 0; v < 3; ++v) {
+    in_frame_ = in_frame_ && triangle.x[v] >= 0 && triangle.x[v] <= config_.width * one && triangle.y[v] >= 0 &&
+                triangle.y[v] <= config_.height * one;
+  }
+
+  const ExactTriangle exact(triangle, config_.subpixel_bits);
+  const ProbedSetup setup = probe_->setup(triangle);
+  const std::vector<ProbedPixel> pixels = probe_->pixels();
+  measure_coverage(exact, pixels);
+  if (setup.empty) return;
+  measure_setup(exact, setup);
+  if (has_depth(config_)) {
+    const Attribute depth = {depth_, exact, exact.depth(), setup.depth};
+    measure_gradients(depth, setup);
+    for (const ProbedPixel& p : pixels) measure_pixel(depth, p.depth, p.x, p.y);
+  }
+  for (int c = 0; c < 3 && is_gouraud(config_); ++c) {
+    const Attribute colour = {colour_, exact, exact.colour(c), setup.colour[c]};
+    measure_gradients(colour, setup);
+    for (const ProbedPixel& p : pixels) measure_pixel(colour, p.colour[c], p.x, p.y);
+  }
+  for (const ProbedPixel& p : pixels) {
+    if (is_gouraud(config_)) break;
+    if (report_.rows[kColourSteps].count(1, p.colour != triangle.rgb[0])) report_.rows[kColourSteps].where = place(p.x, p.y);
+  }
+  report_.classes.back().pixels += pixels.size();
+}
+
+// Edge functions are kept without their low f bits. The reciprocal's error is |R·D − 2^(r+s)| in units of 2^s.
+void TriangleMeter::measure_setup(const ExactTriangle& exact, const ProbedSetup& setup) {
+  for (int i = 0; i < 3; ++i) {
+    const int next = (i + 1) % 3;
+    const bool equal = Wide(setup.e[i]) == exact.edge(i, setup.depth.x, setup.depth.y) >> config_.subpixel_bits &&
+                       setup.e_dx[i] == exact.y(i) - exact.y(next) && setup.e_dy[i] == exact.x(next) - exact.x(i);
+    if (report_.rows[kEdges].count(1, !equal)) report_.rows[kEdges].where = place();
+  }
+  if (!has_planes(config_)) return;
+  const Wide error = setup.reciprocal * exact.area() - (Wide(1) << (config_.reciprocal_bits + setup.shift));
+  const bool normal = exact.area() >> setup.shift == 1;
+  BoundRow& row = report_.rows[kReciprocal];
+  if (row.see(normal ? std::ldexp(double(error), -setup.shift) : INFINITY, 1)) row.where = place();
+}
+
+// A gradient is kept modulo 2^b; N·R·2^−n in units of 2^−g is not.
+void TriangleMeter::measure_gradients(const Attribute& attribute, const ProbedSetup& setup) {
+  const auto& [channel, exact, values, plane] = attribute;
+  const int bits = channel.numbers.value_bits + channel.numbers.fraction;
+  const int n = setup.shift + config_.reciprocal_bits - config_.subpixel_bits - channel.numbers.fraction;
+  const Numerators numerators = exact.numerators(values);
+  for (const auto& [numerator, kept] : {std::pair(numerators.x, plane.dx), std::pair(numerators.y, plane.dy)}) {
+    const Wide product = numerator * Wide(setup.reciprocal);
+    const Wide below = product >> n;  // the unit below: what is kept is it or the next
+    const std::uint64_t above = low_bits(std::uint64_t(kept) - std::uint64_t(below), bits);
+    const double rest = std::ldexp(double(product - (below << n)), -n);
+    BoundRow& row = report_.rows[channel.gradient];
+    if (row.see(above <= 1 ? double(above) - rest : INFINITY, 0.5)) row.where = place();
+  }
+}
+
+void TriangleMeter::measure_pixel(const Attribute& attribute, std::uint32_t sent, int x, int y) {
+  const auto& [channel, exact, values, plane] = attribute;
+  const double error = error_at(channel.numbers, exact, values, plane, x, y);
+  const Dyadic reach = {std::llabs(exact.dx(x)) + std::llabs(exact.dy(y)), -config_.subpixel_bits};
+  const PlaneBound bound = plane_bound(channel.numbers, reach);
+  const double limit = value(error > 0 ? bound.sum : bound.in_register);
+  auto see = [this, x, y](Quantity q, double seen, double largest) {
+    if (report_.rows[q].see(seen, largest)) report_.rows[q].where = place(x, y);
+  };
+  see(channel.plane, error, limit);
+  if (in_frame_) see(channel.plane_in_frame, error, limit);
+
+  const std::uint64_t integer = register_at(channel.numbers, plane, x, y) >> channel.numbers.fraction;
+  if (report_.rows[channel.steps].count(1, integer != sent)) report_.rows[channel.steps].where = place(x, y);
+  // An integer that wrapped would be off by 2^b: it is not taken modulo that.
+  const Wide off = Wide(sent) * exact.area() - exact.value(values, x, y);
+  see(channel.rounded, double(off) / double(exact.area()), value(bound.rounded));
+
+  ClassRow& row = report_.classes.back();
+  const bool depth = channel.plane == kDepthPlane;
+  (depth ? row.depth : row.colour) = std::max(depth ? row.depth : row.colour, std::fabs(error));
+  double& share = depth ? row.depth_share : row.colour_share;
+  share = std::max(share, std::fabs(error) / limit);
+}
+
+// Row by row of the bounding box; pixels beyond it, or sent twice, differ as well.
+void TriangleMeter::measure_coverage(const ExactTriangle& exact, const std::vector<ProbedPixel>& pixels) {
+  std::vector<std::pair<int, int>> sent;  // y, x
+  sent.reserve(pixels.size());
+  for (const ProbedPixel& p : pixels) sent.emplace_back(p.y, p.x);
+  std::sort(sent.begin(), sent.end());
+  BoundRow& row = report_.rows[kCoverage];
+  const PixelSpan columns = exact.columns(width_), rows = exact.rows(height_);
+  std::size_t at = 0;
+  for (int y = rows.first; y <= rows.last; ++y) {
+    const PixelSpan span = exact.span(y, width_);
+    std::int64_t differ = std::max(0, span.last - span.first + 1);
+    for (; at < sent.size() && sent[at].first <= y; ++at) {
+      const bool again = at > 0 && sent[at - 1] == sent[at];
+      const bool right = sent[at].first == y && sent[at].second >= span.first && sent[at].second <= span.last && !again;
+      differ += right ? -1 : 1;
+    }
+    if (row.count(std::uint64_t(std::max(0, columns.last - columns.first + 1)), std::uint64_t(differ))) {
+      row.where = place(span.first, y);
+    }
+  }
+  if (row.count(sent.size() - at, sent.size() - at)) row.where = place(sent[at].second, sent[at].first);
+}
+
+void TriangleMeter::search(TriangleSource& source, Vertices vertices, bool depth, int steps) {
+  const int x = width_ - 1, y = height_ - 1;
+  auto badness = [&](const ref::SnappedTriangle& t) {
+    const ExactTriangle exact(t, config_.subpixel_bits);
+    const ProbedSetup setup = probe_->setup(t);
+    const PixelSpan span = exact.span(y, width_);
+    if (setup.empty || span.first > x || span.last < x) return 0.0;
+    double worst = 0;
+    for (int c = 0; c < (depth ? 1 : 3); ++c) {
+      const double error = depth ? error_at(depth_.numbers, exact, exact.depth(), setup.depth, x, y)
+                                 : error_at(colour_.numbers, exact, exact.colour(c), setup.colour[c], x, y);
+      worst = std::max(worst, std::fabs(error));
+    }
+    return worst;
+  };
+  // A new start when nothing was gained for a while; the best of each climb is measured in full.
+  constexpr int kPatience = 200;
+  ref::SnappedTriangle best{};
+  double height = 0;
+  int idle = kPatience;
+  for (int n = 0; n < steps; ++n) {
+    if (idle >= kPatience) {
+      if (height > 0) measure(best);
+      best = source.farthest(vertices);
+      height = badness(best);
+      idle = 0;
+      continue;
+    }
+    const ref::SnappedTriangle next = source.changed(best, vertices);
+    const double at = badness(next);
+    ++idle;
+    if (at <= height) continue;
+    best = next, height = at, idle = 0;
+  }
+  measure(best);
+}
+
+}  // namespace halfspace::vectors

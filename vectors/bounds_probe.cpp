@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vectors/bounds_probe.hpp"
+
+#include "hls/pipeline.hpp"
+#include "vectors/runtime_formats.hpp"
+
+namespace halfspace::vectors {
+namespace {
+
+template <class S>
+class RuntimeProbe : public KernelProbe {
+  using F = RuntimeFormats<S>;
+
+ public:
+  explicit RuntimeProbe(const Config& config) : config_(config), table_(format_table(config)) {
+    config_.triangles = 1;  // room for the one triangle; the formats are those of all
+    F::activate(config_, table_);
+    database_ = std::make_unique<ShadingDatabase<F>>();
+    frame_.r = frame_.g = frame_.b = from_raw<typename F::Colour>(0);
+  }
+
+  void set_frame(int width, int height) override {
+    F::activate(config_, table_);
+    frame_.width = from_raw<typename F::X>(width);
+    frame_.height = from_raw<typename F::Y>(height);
+  }
+
+  ProbedSetup setup(const ref::SnappedTriangle& in) override {
+    F::activate(config_, table_);
+    Triangle<F> t{};
+    t.index = from_raw<typename F::Index>(1);
+    for (int v = 0; v < 3; ++v) {
+      t.x[v] = from_raw<typename F::Coord>(in.x[v]);
+      t.y[v] = from_raw<typename F::Coord>(in.y[v]);
+      t.depth[v] = from_raw<typename F::Depth>(in.depth[v]);
+      t.r[v] = from_raw<typename F::Colour>(in.rgb[v][0]);
+      t.g[v] = from_raw<typename F::Colour>(in.rgb[v][1]);
+      t.b[v] = from_raw<typename F::Colour>(in.rgb[v][2]);
+    }
+    triangle_.write(t);
+    triangle_setup(frame_, triangle_, setup_out_, attributes_);
+    setup_ = setup_out_.read();
+    if (raw(setup_.empty)) return {};
+    shade_setup(attributes_, planes_);
+    const Planes<F> planes = planes_.read();
+    planes_.write(planes);
+    store_planes(planes_, *database_);
+    return plain(area_reciprocal<F>(order_vertices<F>(t).area), planes);
+  }
+
+  std::vector<ProbedPixel> pixels() override {
+    F::activate(config_, table_);
+    std::vector<ProbedPixel> out;
+    if (raw(setup_.empty)) return out;
+    setup_out_.write(setup_);
+    raster_pineda(frame_, setup_out_, stamp_, visits_);
+    while (!stamp_.empty()) {
+      const Stamp<F> s = stamp_.read();
+      Scan<F> scan{};
+      scan.x = s.x;
+      scan.y = s.y;
+      for (int l = 0; l < F::kLanes; ++l) scan.index[l] = from_raw<typename F::Index>(raw(s.mask[l]));
+      scan_.write(scan);
+      shade_gouraud(frame_, scan_, *database_, pixel_);
+      const Pixel<F> p = pixel_.read();
+      for (int l = 0; l < F::kLanes; ++l) {
+        if (!raw(s.mask[l])) continue;
+        out.push_back({int(raw(s.x)) * F::kLanesX + l % F::kLanesX, int(raw(s.y)) * F::kLanesY + l / F::kLanesX,
+                       std::uint32_t(raw(s.depth[l])),
+                       {std::uint8_t(raw(p.r[l])), std::uint8_t(raw(p.g[l])), std::uint8_t(raw(p.b[l]))}});
+      }
+    }
+    return out;
+  }
+
+ private:
+  ProbedSetup plain(const AreaReciprocal<F>& inverse, const Planes<F>& planes) const {
+    ProbedSetup out;
+    out.empty = false;
+    out.shift = int(raw(inverse.shift));
+    out.reciprocal = raw(inverse.reciprocal);
+    for (int i = 0; i < 3; ++i) {
+      out.e[i] = raw(setup_.e[i]);
+      out.e_dx[i] = raw(setup_.e_dx[i]);
+      out.e_dy[i] = raw(setup_.e_dy[i]);
+    }
+    out.depth = {raw(setup_.depth), raw(setup_.depth_dx), raw(setup_.depth_dy), int(raw(setup_.x_start)) * F::kLanesX,
+                 int(raw(setup_.y_min)) * F::kLanesY};
+    out.colour[0] = {raw(planes.r), raw(planes.r_dx), raw(planes.r_dy), 0, 0};
+    out.colour[1] = {raw(planes.g), raw(planes.g_dx), raw(planes.g_dy), 0, 0};
+    out.colour[2] = {raw(planes.b), raw(planes.b_dx), raw(planes.b_dy), 0, 0};
+    return out;
+  }
+
+  Config config_;
+  FormatTable table_;
+  Frame<F> frame_;
+  Setup<F> setup_{};
+  std::unique_ptr<ShadingDatabase<F>> database_;
+  Stream<Triangle<F>> triangle_;
+  Stream<Setup<F>> setup_out_;
+  Stream<Attributes<F>> attributes_;
+  Stream<Planes<F>> planes_;
+  Stream<Stamp<F>> stamp_;
+  Stream<Scan<F>> scan_;
+  Stream<Pixel<F>> pixel_;
+  Probe<int> visits_;
+};
+
+}  // namespace
+
+std::unique_ptr<KernelProbe> make_kernel_probe(const Config& config) {
+  switch (config.lanes) {
+    case 2: return std::make_unique<RuntimeProbe<Stamp2>>(config);
+    case 4: return std::make_unique<RuntimeProbe<Stamp4>>(config);
+    case 8: return std::make_unique<RuntimeProbe<Stamp8>>(config);
+    case 16: return std::make_unique<RuntimeProbe<Stamp16>>(config);
+  }
+  return std::make_unique<RuntimeProbe<Stamp1>>(config);
+}
+
+}  // namespace halfspace::vectors

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// The kernels on one triangle, for any configuration: what each of them sends, as plain integers.
+#ifndef HALFSPACE_VECTORS_BOUNDS_PROBE_HPP_
+#define HALFSPACE_VECTORS_BOUNDS_PROBE_HPP_
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "hls/config.hpp"
+#include "ref/snap.hpp"
+
+namespace halfspace::vectors {
+
+// A plane as it is kept: b + g bits at the centre of pixel (x, y), ½ included, and its steps of a pixel.
+struct ProbedPlane {
+  std::uint64_t start;
+  std::int64_t dx, dy;
+  int x, y;
+};
+
+// Of triangle_setup and shade_setup.
+struct ProbedSetup {
+  bool empty = true;  // the rest then means nothing
+  int shift;
+  std::uint64_t reciprocal;
+  std::array<std::int64_t, 3> e, e_dx, e_dy;  // at the centre of the pixel of depth.x, depth.y
+  ProbedPlane depth;
+  std::array<ProbedPlane, 3> colour;
+};
+
+// Of raster_pineda and shade_gouraud.
+struct ProbedPixel {
+  int x, y;
+  std::uint32_t depth;
+  std::array<std::uint8_t, 3> colour;
+};
+
+class KernelProbe {
+ public:
+  virtual ~KernelProbe() = default;
+  virtual void set_frame(int width, int height) = 0;
+  // The reciprocal is that of hls/reciprocal.hpp called apart: not every configuration has it in a stream.
+  virtual ProbedSetup setup(const ref::SnappedTriangle& triangle) = 0;
+  // The covered pixels of the triangle that setup() was given last, in the order and as often as they are sent.
+  virtual std::vector<ProbedPixel> pixels() = 0;
+};
+
+// With the lanes of the configuration.
+std::unique_ptr<KernelProbe> make_kernel_probe(const Config& config);
+
+}  // namespace halfspace::vectors
+
+#endif  // HALFSPACE_VECTORS_BOUNDS_PROBE_HPP_
