@@ -15,7 +15,9 @@ void add_render(CLI::App& app, int& status);
 void add_vectors(CLI::App& app, int& status);
 void add_compare(CLI::App& app, int& status);
 void add_config(CLI::App& app, int& status);
+void add_fit(CLI::App& app, int& status);
 void add_package(CLI::App& app, int& status);
+void add_bounds(CLI::App& app, int& status);
 void add_report(CLI::App& app, int& status);
 
 using Json = nlohmann::ordered_json;

@@ -5,6 +5,7 @@
 
 #include <cctype>
 #include <charconv>
+#include <memory>
 
 #include "ref/error.hpp"
 #include "ref/geometry.hpp"
@@ -24,13 +25,14 @@ ref::SnappedList snap_scene(const std::string& name, const ref::TriangleList& li
   }
 }
 
-struct Size {
-  int width = 0, height = 0;
-};
+bool fits(const FrameSize& size, const ref::RasterFormat& format) {
+  return size.width <= format.width && size.height <= format.height;
+}
 
-// "WxH", both from 1 on.
-Size parse_size(const std::string& text) {
-  Size size;
+}  // namespace
+
+FrameSize parse_size(const std::string& text) {
+  FrameSize size;
   const char* const end = text.data() + text.size();
   const auto w = std::from_chars(text.data(), end, size.width);
   const bool has_x = w.ec == std::errc() && w.ptr != end && *w.ptr == 'x';
@@ -40,12 +42,6 @@ Size parse_size(const std::string& text) {
   }
   return size;
 }
-
-bool fits(const Size& size, const ref::RasterFormat& format) {
-  return size.width <= format.width && size.height <= format.height;
-}
-
-}  // namespace
 
 void add_scene_options(CLI::App* command, SceneInput& input) {
   std::string names;
@@ -60,36 +56,34 @@ void add_scene_options(CLI::App* command, SceneInput& input) {
 }
 
 LoadedScene load_snapped(const SceneInput& input) {
-  const bool is_tri = ref::is_tri_file(input.scene);
-  Size size;
+  FrameSize size;
   if (!input.size.empty()) size = parse_size(input.size);
-
-  ref::TriangleList list;
-  ref::Scene scene;
-  if (is_tri) {
-    list = ref::read_tri(input.scene);
-    if (!input.size.empty() && (size.width != list.width || size.height != list.height)) {
-      throw ref::Error(fmt::format("{}: its frame is {}x{}, not {}: leave out --size", input.scene, list.width, list.height,
-                                   input.size));
-    }
-    size = {list.width, list.height};
-  }
   const vectors::Configuration chosen = vectors::find_configuration(input.config.empty() ? "middle" : input.config);
   const ref::RasterFormat first = vectors::raster_format(chosen);
-  if (size.width == 0) size = {first.width, first.height};
-  if (!is_tri) {
+
+  vectors::Projection project;
+  if (ref::is_tri_file(input.scene)) {
+    const auto list = std::make_shared<ref::TriangleList>(ref::read_tri(input.scene));
+    if (!input.size.empty() && (size.width != list->width || size.height != list->height)) {
+      throw ref::Error(fmt::format("{}: its frame is {}x{}, not {}: leave out --size", input.scene, list->width, list->height,
+                                   input.size));
+    }
+    project = [list](const ref::View&) { return *list; };
+  } else {
+    if (size.width == 0) size = {first.width, first.height};
     if (!input.config.empty() && !fits(size, first)) {  // before the work of reading a mesh
       ref::TriangleList empty;
       empty.width = size.width;
       empty.height = size.height;
-      return {snap_scene(input.scene, empty, first), chosen};
+      snap_scene(input.scene, empty, first);  // throws
     }
-    scene = ref::load_scene(input.scene, input.time);
+    const auto scene = std::make_shared<ref::Scene>(ref::load_scene(input.scene, input.time));
+    project = [scene](const ref::View& view) { return ref::project(*scene, view); };
   }
   auto snapped = [&](const vectors::Configuration& configuration) -> LoadedScene {
     const ref::RasterFormat format = vectors::raster_format(configuration);
-    if (!is_tri) list = ref::project(scene, {size.width, size.height, format.range_bits, format.subpixel_bits});
-    return {snap_scene(input.scene, list, format), configuration};
+    const ref::TriangleList list = project({size.width, size.height, format.range_bits, format.subpixel_bits});
+    return {snap_scene(input.scene, list, format), configuration, project};
   };
   if (!input.config.empty()) return snapped(chosen);
   // Not said: middle if the scene fits it.

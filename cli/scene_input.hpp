@@ -8,6 +8,7 @@
 
 #include "ref/snap.hpp"
 #include "vectors/configuration.hpp"
+#include "vectors/trade.hpp"
 
 namespace halfspace::cli {
 
@@ -24,7 +25,14 @@ void add_scene_options(CLI::App* command, SceneInput& input);
 struct LoadedScene {
   ref::SnappedList list;
   vectors::Configuration configuration;  // of its format
+  vectors::Projection project;           // the scene as another view sees it
 };
+
+struct FrameSize {
+  int width = 0, height = 0;
+};
+// "WxH", both from 1 on. Throws ref::Error.
+FrameSize parse_size(const std::string& text);
 
 // Throws ref::Error.
 LoadedScene load_snapped(const SceneInput& input);

@@ -56,8 +56,9 @@ glm::dmat4 to_glm(const aiMatrix4x4& m) {
 Pose::Pose(const aiScene& scene, double time_seconds) {
   if (scene.mNumAnimations > 0) {
     const aiAnimation& animation = *scene.mAnimations[0];
-    const double ticks =
-        time_seconds * (animation.mTicksPerSecond > 0 ? animation.mTicksPerSecond : kDefaultTicks);
+    const double ticks_a_second = animation.mTicksPerSecond > 0 ? animation.mTicksPerSecond : kDefaultTicks;
+    const double ticks = time_seconds * ticks_a_second;
+    duration_ = animation.mDuration / ticks_a_second;
     for (unsigned i = 0; i < animation.mNumChannels; ++i) {
       animated_[animation.mChannels[i]->mNodeName.C_Str()] = at_time(*animation.mChannels[i], ticks);
     }

@@ -22,6 +22,8 @@ class Pose {
  public:
   Pose(const aiScene&, double time_seconds);
 
+  // Of the first animation, seconds; 0 without one.
+  double duration() const { return duration_; }
   // Identity for a name that no node has.
   glm::dmat4 to_world(const std::string& node) const;
   const glm::dmat4& to_world(const aiNode* node) const { return by_node_.at(node); }
@@ -29,6 +31,7 @@ class Pose {
  private:
   void place(const aiNode&, const glm::dmat4& parent);
 
+  double duration_ = 0;
   std::map<std::string, glm::dmat4> animated_;  // to the parent
   std::map<std::string, glm::dmat4> by_name_;
   std::map<const aiNode*, glm::dmat4> by_node_;

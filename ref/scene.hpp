@@ -64,6 +64,7 @@ struct Scene {
   // seen. They are those of time 0: the view stays when the scene moves.
   glm::dvec3 view_direction{-0.5, -0.45, -0.75};
   std::vector<glm::dvec3> framing;
+  double duration = 0;  // seconds of the animation; 0 when the scene stands still
 };
 
 // A built-in scene by its name, or any file that Assimp reads, with the first of its animations (nodes and

@@ -151,6 +151,7 @@ Scene read_scene_file(const std::string& path, double time_seconds) {
   Scene scene = geometry_at(file, meshes, pose);
   scene.framing = world_points(time_seconds == 0 ? scene : geometry_at(file, meshes, start));
   scene.name = path;
+  scene.duration = start.duration();
   for (unsigned i = 0; i < file.mNumMaterials; ++i)
     scene.materials.push_back(material_of(*file.mMaterials[i]));
   scene.materials.emplace_back();  // light grey, for meshes without one

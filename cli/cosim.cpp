@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/cosim.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "ref/error.hpp"
+#include "vectors/package.hpp"
+#include "vectors/staging.hpp"
+
+namespace halfspace::cli {
+namespace {
+
+std::string quoted(const std::string& text) {
+  std::string out = "'";
+  for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return out + "'";
+}
+
+void run(const std::string& command, const std::string& log, const std::string& what) {
+  if (std::system((command + " > " + quoted(log) + " 2>&1").c_str()) != 0) {
+    throw ref::Error(fmt::format("{} failed: read {}", what, log));
+  }
+}
+
+}  // namespace
+
+Cosimulation cosimulate(const std::string& folder, const std::string& scene, const vectors::Configuration& configuration, int lanes,
+                        const std::vector<vectors::NamedFrame>& frames) {
+  const std::filesystem::path work(folder);
+  std::filesystem::create_directories(work);
+  const std::string package = (work / "hs_formats_pkg.sv").string(), report = (work / "cosim.json").string();
+  vectors::write_file(package, vectors::formats_package(configuration));
+  run(fmt::format("python3 {} --package {} --lanes {} --out {} --library {} --library {}", quoted(HALFSPACE_MODEL_TOOL), quoted(package),
+                  lanes, quoted((work / "model").string()), quoted(HALFSPACE_TB_LIBRARY), quoted(HALFSPACE_VERILATED_LIBRARY)),
+      (work / "model.log").string(), "building the bench");
+  vectors::write_vector_set((work / "vectors").string(), {scene, configuration, lanes, 0}, frames, nullptr);
+  std::filesystem::remove(report);
+  // Its status tells of mismatches as well: the report decides.
+  const int status = std::system(fmt::format("{} {} --json {} > {} 2>&1", quoted((work / "model" / "bench").string()),
+                                             quoted((work / "vectors").string()), quoted(report), quoted((work / "cosim.log").string()))
+                                     .c_str());
+  std::ifstream file(report);
+  const nlohmann::json json = nlohmann::json::parse(file, nullptr, false);
+  if (!file || json.is_discarded()) {
+    throw ref::Error(fmt::format("the co-simulation ended with status {}: read {}", status, (work / "cosim.log").string()));
+  }
+  Cosimulation result;
+  for (const auto& one : json.at("runs")) {
+    result.words += one.at("words").get<std::uint64_t>();
+    result.mismatches += one.at("mismatches").get<std::uint64_t>() + one.at("failures").size();
+    result.cycles = one.at("cycles").get<std::uint64_t>();
+  }
+  if (result.words == 0) throw ref::Error(fmt::format("the co-simulation compared nothing: read {}", (work / "cosim.log").string()));
+  return result;
+}
+
+}  // namespace halfspace::cli

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+// halfspace fit
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+#include "cli/commands.hpp"
+#include "cli/cosim.hpp"
+#include "cli/picture.hpp"
+#include "cli/progress.hpp"
+#include "cli/scene_frames.hpp"
+#include "ref/error.hpp"
+#include "vectors/engine.hpp"
+#include "vectors/fit.hpp"
+#include "vectors/format_fields.hpp"
+#include "vectors/staging.hpp"
+
+namespace halfspace::cli {
+namespace {
+
+using vectors::Configuration;
+using vectors::Fit;
+using vectors::FitScene;
+
+struct Options {
+  FrameInput input;
+  vectors::FitGoal goal;
+  int lanes = 0;
+  std::string output, work, json;
+  bool cosim = true;
+};
+
+std::string name_of(const std::string& scene) {
+  std::string name = std::filesystem::path(scene).stem().string();
+  for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+  return name;
+}
+
+Json to_json(const vectors::Requirements& r) {
+  return {{"x", {r.x_low, r.x_high}},
+          {"y", {r.y_low, r.y_high}},
+          {"triangles", r.triangles},
+          {"depth_gradient_of_full_scale_a_pixel", r.depth_gradient},
+          {"colour_gradient_lsb_a_pixel", r.colour_gradient},
+          {"depth_separation_of_full_scale", r.overlapping ? Json(r.depth_separation) : Json(nullptr)},
+          {"overlapping_pixels", r.overlapping},
+          {"one_colour_each", r.one_colour_each},
+          {"motion_pixels_a_frame", r.motion}};
+}
+
+void print(const vectors::Requirements& r, const FitScene& scene) {
+  fmt::print("{}: {} frame{} of {}x{}\n", scene.name, scene.frames.size(), scene.frames.size() == 1 ? "" : "s", scene.width, scene.height);
+  fmt::print("  vertices within x {:.0f} … {:.0f}, y {:.0f} … {:.0f} pixels; {} triangles in view at most\n", r.x_low, r.x_high, r.y_low,
+             r.y_high, r.triangles);
+  fmt::print("  steepest plane: depth {:.3g} of full scale a pixel, colour {:.3g} LSB a pixel; {}\n", r.depth_gradient, r.colour_gradient,
+             r.one_colour_each ? "each triangle has one colour" : "colours vary over triangles");
+  if (r.overlapping == 0) fmt::print("  no pixel has two surfaces\n");
+  else fmt::print("  {} pixels have two surfaces or more, as near as {:.2g} of full scale\n", r.overlapping, r.depth_separation);
+  if (scene.frames.size() > 1) fmt::print("  a vertex moves {:.2f} pixels a frame at most\n", r.motion);
+}
+
+// What is not there, and why.
+std::vector<std::string> left_out(const Config& c, const vectors::Requirements& r) {
+  std::vector<std::string> lines;
+  if (!has_depth(c)) {
+    lines.push_back(fmt::format("Z-buffer, depth plane and comparison: {}", r.overlapping == 0 ? "no pixel has two surfaces"
+                                                                                              : "what is drawn first is never behind"));
+  }
+  if (!is_gouraud(c)) {
+    lines.push_back(fmt::format("colour planes and the shader's multipliers: {}",
+                                r.one_colour_each ? "each triangle has one colour" : "one colour each is as accurate as asked"));
+  }
+  if (!has_planes(c)) lines.push_back("reciprocal of the area: no triangle has a plane");
+  return lines;
+}
+
+Json memory_json(const vectors::MemoryBits& m) {
+  return {{"index_buffer", m.index}, {"depth_buffer", m.depth}, {"shading_database", m.shading}, {"total", m.total()}};
+}
+
+void print_numbers(const Fit& fit, const Configuration& high) {
+  const Config c = fit.configuration.config(), h = high.config();
+  fmt::print("\n{:<18} {:>9} {:>9}\n", "", fit.configuration.name(), high.name());
+  for (const auto& field : vectors::config_fields()) fmt::print("{:<18} {:>9} {:>9}\n", field.name, c.*field.value, h.*field.value);
+  fmt::print("\none bit less:\n");
+  for (const auto& less : fit.less) fmt::print("  {:<26} {}\n", less.change, less.result);
+  const auto mine = vectors::memory_bits(fit.configuration), theirs = vectors::memory_bits(high);
+  fmt::print("\nframe memories: {:.2f} Mbit (I-buffer {:.2f}, Z-buffer {:.2f}, TdbS {:.2f}), {} has {:.2f} Mbit: {:.1f} % saved\n",
+             mine.total() / 1e6, mine.index / 1e6, mine.depth / 1e6, mine.shading / 1e6, high.name(), theirs.total() / 1e6,
+             100 - 100.0 * mine.total() / theirs.total());
+}
+
+// Renders the frames anew and runs the RTL on them. Throws when either fails.
+Json prove(const Options& options, const FitScene& scene, const Fit& fit, const std::string& work) {
+  const int lanes = fit.configuration.config().lanes;
+  const auto again = vectors::check_fit(scene, fit.configuration, options.goal, lanes == 1 ? 4 : 1);
+  fmt::print("rendered again with {} lanes: {:.2f} dB, a colour off by {:.2f} LSB at most, {} pixels of another face\n", lanes == 1 ? 4 : 1,
+             again.psnr, again.largest_lsb, again.wrong_pixels);
+  if (!again.holds) throw ref::Error(fmt::format("{}: the configuration does not hold when rendered again: {}", scene.name, again.why));
+  Json json = {{"psnr_db", again.psnr}, {"largest_lsb", again.largest_lsb}, {"wrong_pixels", again.wrong_pixels}};
+  if (!options.cosim) return json;
+
+  std::vector<vectors::NamedFrame> frames;
+  const ref::RasterFormat format = vectors::raster_format(fit.configuration);
+  for (std::size_t k = 0; k < scene.frames.size(); ++k) {
+    const auto list = scene.frames[k]({scene.width, scene.height, format.range_bits, format.subpixel_bits});
+    frames.push_back({fmt::format("{} at {} s", scene.name, scene.times[k]), ref::snap(list, format)});
+  }
+  const Cosimulation cosim = cosimulate(work, scene.name, fit.configuration, lanes, frames);
+  fmt::print("co-simulated: {} words, {} mismatches, {} cycles a frame with {} lane{}\n", cosim.words, cosim.mismatches, cosim.cycles, lanes,
+             lanes == 1 ? "" : "s");
+  if (cosim.mismatches) throw ref::Error(fmt::format("{}: the RTL differs from the kernels: read {}/cosim.log", scene.name, work));
+  json["cosim"] = {{"words", cosim.words}, {"mismatches", cosim.mismatches}, {"cycles", cosim.cycles}, {"lanes", lanes}};
+  return json;
+}
+
+void fit(const Options& options) {
+  const FitScene scene = load_frames(options.input);
+  const vectors::Requirements needed = vectors::requirements(scene);
+  print(needed, scene);
+  const std::string name = options.output.empty() ? name_of(scene.name) : name_of(options.output);
+  Progress progress("fit " + scene.name + ": configurations tried");
+  const Fit found = vectors::fit_configuration(scene, name, options.goal, options.lanes,
+                                               [&](std::uint64_t tried) { progress.tell(tried, tried); });
+  fmt::print("\n{} configurations tried: {:.2f} dB, a colour off by {:.2f} LSB at most\n", found.tried, found.outcome.psnr,
+             found.outcome.largest_lsb);
+  const std::vector<std::string> gone = left_out(found.configuration.config(), needed);
+  fmt::print("left out: {}\n", gone.empty() ? "nothing, every unit is needed" : "");
+  for (const std::string& line : gone) fmt::print("  {}\n", line);
+  const Configuration high = vectors::find_configuration("high");
+  print_numbers(found, high);
+  const std::string work = options.work.empty() ? "fit_" + name : options.work;
+  const Json proof = prove(options, scene, found, work);
+  if (!options.output.empty()) vectors::write_file(options.output, vectors::configuration_toml(found.configuration));
+
+  Json less = Json::array(), numbers;
+  for (const auto& one : found.less) less.push_back({{"change", one.change}, {"result", one.result}});
+  const Config c = found.configuration.config();
+  for (const auto& field : vectors::config_fields()) numbers[field.name] = c.*field.value;
+  numbers["shading"] = is_gouraud(c) ? "gouraud" : "flat";
+  write_json(options.json, {{"scene", scene.name},
+                            {"frames", scene.frames.size()},
+                            {"width", scene.width},
+                            {"height", scene.height},
+                            {"goal", {{"psnr_db", options.goal.psnr}, {"max_lsb", options.goal.max_lsb}, {"cycles", options.goal.cycles}}},
+                            {"requires", to_json(needed)},
+                            {"tried", found.tried},
+                            {"configuration", numbers},
+                            {"left_out", gone},
+                            {"one_bit_less", less},
+                            {"memory_bits", memory_json(vectors::memory_bits(found.configuration))},
+                            {"memory_bits_of_high", memory_json(vectors::memory_bits(high))},
+                            {"proof", proof}});
+}
+
+}  // namespace
+
+void add_fit(CLI::App& app, int&) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("fit", "find the cheapest configuration that draws a scene as accurately as asked");
+  command->footer(
+      "All frames of the scene are drawn with configurations of ever fewer bits, against the ideal picture: positions not\n"
+      "snapped, nothing rounded. What is found is rendered again, and its RTL co-simulated, before it is written.\n"
+      "  halfspace fit teapot --psnr 45 -o teapot.toml\n"
+      "  halfspace fit walk.glb --frames 0:49 --size 320x240 --max-lsb 2 -o walk.toml\n");
+  add_frame_options(command, options->input);
+  command->add_option("--psnr", options->goal.psnr, "dB against the ideal picture, of each frame; 0: not asked")->capture_default_str();
+  command->add_option("--max-lsb", options->goal.max_lsb,
+                      "largest error of a colour, LSB of 8 bits, where the face is right; 0: not asked")->capture_default_str();
+  command->add_option("--cycles", options->goal.cycles, "cycles a frame at most: takes as many lanes as that needs; 0: not asked")
+      ->capture_default_str();
+  command->add_option("--lanes", options->lanes, "pixels a cycle; default: the fewest");
+  command->add_option("-o,--output", options->output, "configuration to write");
+  command->add_option("--work", options->work, "folder for the bench and the vectors; default: fit_NAME");
+  command->add_flag("--cosim,!--no-cosim", options->cosim, "co-simulate the RTL of what is found");
+  command->add_option("--json", options->json, "file for the numbers");
+  command->callback([options] { fit(*options); });
+}
+
+}  // namespace halfspace::cli

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/scene_frames.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <memory>
+
+#include "cli/scene_input.hpp"
+#include "ref/error.hpp"
+#include "ref/scene.hpp"
+
+namespace halfspace::cli {
+namespace {
+
+// "A:B" as the first frame and the last.
+std::pair<int, int> parse_range(const std::string& text) {
+  int first = -1, last = -1;
+  const char* const end = text.data() + text.size();
+  const auto a = std::from_chars(text.data(), end, first);
+  const bool has_colon = a.ec == std::errc() && a.ptr != end && *a.ptr == ':';
+  const auto b = has_colon ? std::from_chars(a.ptr + 1, end, last) : a;
+  if (!has_colon || b.ec != std::errc() || b.ptr != end || first < 0 || last < first) {
+    throw ref::Error(fmt::format("--frames {}: not a range of frames: write it like 0:24", text));
+  }
+  return {first, last};
+}
+
+}  // namespace
+
+void add_frame_options(CLI::App* command, FrameInput& input) {
+  std::string names;
+  for (const std::string& name : ref::builtin_scene_names()) names += (names.empty() ? "" : ", ") + name;
+  command->add_option("SCENE", input.scene, "a built-in scene (" + names + "), a mesh file or a screen-space *.tri")->required();
+  command->add_option("--size", input.size, "frame, WxH; a *.tri has its own")->capture_default_str();
+  command->add_option("--frames", input.frames, "frames A:B of the animation, from 0 on; default: all");
+  command->add_option("--rate", input.rate, "frames a second")->capture_default_str()->check(CLI::PositiveNumber);
+}
+
+vectors::FitScene load_frames(const FrameInput& input) {
+  vectors::FitScene result{input.scene, 0, 0, {}, {}};
+  if (ref::is_tri_file(input.scene)) {
+    const auto list = std::make_shared<ref::TriangleList>(ref::read_tri(input.scene));
+    if (list->triangles.empty()) throw ref::Error(fmt::format("{}: no triangle: nothing to fit", input.scene));
+    result.width = list->width, result.height = list->height;
+    result.times = {0};
+    result.frames.push_back([list](const ref::View&) { return *list; });
+    return result;
+  }
+  const FrameSize size = parse_size(input.size);
+  result.width = size.width, result.height = size.height;
+  const auto start = std::make_shared<ref::Scene>(ref::load_scene(input.scene));
+  std::pair<int, int> range{0, int(std::floor(start->duration * input.rate))};
+  if (!input.frames.empty()) range = parse_range(input.frames);
+  for (int k = range.first; k <= range.second; ++k) {
+    const double time = k / input.rate;
+    const auto scene = k == 0 ? start : std::make_shared<ref::Scene>(ref::load_scene(input.scene, time));
+    result.times.push_back(time);
+    result.frames.push_back([scene](const ref::View& view) { return ref::project(*scene, view); });
+  }
+  return result;
+}
+
+}  // namespace halfspace::cli

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// The frames of a scene, before anything of a configuration is known.
+#ifndef HALFSPACE_CLI_SCENE_FRAMES_HPP_
+#define HALFSPACE_CLI_SCENE_FRAMES_HPP_
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "vectors/fit.hpp"
+
+namespace halfspace::cli {
+
+struct FrameInput {
+  std::string scene;
+  std::string size = "640x480";  // a *.tri has its own
+  std::string frames;            // "A:B", both included; empty: all of the animation
+  double rate = 25;              // frames a second
+};
+
+void add_frame_options(CLI::App* command, FrameInput& input);
+
+// Throws ref::Error.
+vectors::FitScene load_frames(const FrameInput& input);
+
+}  // namespace halfspace::cli
+
+#endif  // HALFSPACE_CLI_SCENE_FRAMES_HPP_

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// The cheapest configuration that draws a scene as accurately as asked.
+//
+// The search begins with a configuration that is more than enough and takes away, in the order of what it saves: the
+// Z-buffer, the colour planes, then bits of depth, colour, positions, gradients and the reciprocal, each as long as every
+// frame keeps the goal; again until nothing more can go. The range, the frame and the number of triangles follow from the
+// scene. So a bit less anywhere is refused or breaks the goal, which `less` shows for each number.
+#ifndef HALFSPACE_VECTORS_FIT_HPP_
+#define HALFSPACE_VECTORS_FIT_HPP_
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "vectors/configuration.hpp"
+#include "vectors/trade.hpp"
+
+namespace halfspace::vectors {
+
+struct FitGoal {
+  double psnr = 45;         // dB against the ideal picture, of each frame; 0: not asked
+  double max_lsb = 0;       // largest error of a colour against the ideal, LSB of 8 bits, where both show the same face; 0: not asked
+  std::uint64_t cycles = 0; // a frame at most, by the model; 0: not asked
+};
+
+struct FitScene {
+  std::string name;
+  int width, height;
+  std::vector<double> times;         // seconds, of the frames
+  std::vector<Projection> frames;
+};
+
+// What the scene asks for, over all frames.
+struct Requirements {
+  double x_low = 0, x_high = 0, y_low = 0, y_high = 0;  // of the vertices in view, pixels, unclipped
+  std::size_t triangles = 0;          // largest number in a frame
+  double depth_gradient = 0;          // largest, of full scale a pixel
+  double colour_gradient = 0;         // largest, LSB of 8 a pixel
+  double depth_separation = 1;        // smallest distance between the two nearest surfaces of a pixel, of full scale; 1: no pixel has two
+  std::uint64_t overlapping = 0;      // pixels with two surfaces or more
+  bool one_colour_each = true;        // no triangle has vertices of different colours
+  double motion = 0;                  // largest step of a vertex from frame to frame, pixels
+};
+Requirements requirements(const FitScene&);
+
+struct FitOutcome {
+  bool holds = false;
+  std::string why;  // the goal that is missed, or the refusal
+  double psnr = 0, largest_lsb = 0;
+  std::uint64_t wrong_pixels = 0;
+  std::size_t triangles = 0;
+};
+
+struct FitLess {
+  std::string change;  // "depth_bits 16 -> 15"
+  std::string result;  // why not
+};
+
+struct Fit {
+  Configuration configuration;
+  FitOutcome outcome;
+  std::vector<FitLess> less;
+  std::uint64_t tried = 0;  // configurations
+};
+
+// `lanes` 0: the fewest that keep the goal's cycles. Throws ref::Error when no configuration reaches the goal, with the best
+// that one does. `progress` hears how many configurations have been tried.
+Fit fit_configuration(const FitScene&, const std::string& name, const FitGoal&, int lanes,
+                      const std::function<void(std::uint64_t)>& progress);
+
+// Renders every frame with `configuration` and holds it to the goal, by other means than the search: with the engine that
+// the configuration has (compiled if it is a named one) and another number of lanes.
+FitOutcome check_fit(const FitScene&, const Configuration&, const FitGoal&, int lanes);
+
+// Bits of the frame's memories: two banks of I-buffer and TdbS, one Z-buffer.
+struct MemoryBits {
+  std::uint64_t index, depth, shading;
+  std::uint64_t total() const { return index + depth + shading; }
+};
+MemoryBits memory_bits(const Configuration&);
+
+}  // namespace halfspace::vectors
+
+#endif  // HALFSPACE_VECTORS_FIT_HPP_
