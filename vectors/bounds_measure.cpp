@@ -18,14 +18,14 @@ std::uint64_t register_at(const PlaneNumbers& n, const ProbedPlane& plane, int x
   return low_bits(at, n.value_bits + n.fraction);
 }
 
-// Of what the register holds without its ½.
-double error_at(const PlaneNumbers& n, const ExactTriangle& exact, const Values& values, const ProbedPlane& plane, int x, int y) {
+}  // namespace
+
+double plane_error(const PlaneNumbers& n, const ExactTriangle& exact, const Values& values, const ProbedPlane& plane, int x,
+                   int y) {
   const std::uint64_t half = std::uint64_t(1) << (n.fraction - 1);
   const std::uint64_t bits = low_bits(register_at(n, plane, x, y) - half, n.value_bits + n.fraction);
   return register_error(bits, n.value_bits, n.fraction, exact.value(values, x, y), exact.area());
 }
-
-}  // namespace
 
 TriangleMeter::TriangleMeter(const Config& config, BoundsReport& report)
     : config_(config),
@@ -111,7 +111,7 @@ void TriangleMeter::measure_gradients(const Attribute& attribute, const ProbedSe
 
 void TriangleMeter::measure_pixel(const Attribute& attribute, std::uint32_t sent, int x, int y) {
   const auto& [channel, exact, values, plane] = attribute;
-  const double error = error_at(channel.numbers, exact, values, plane, x, y);
+  const double error = plane_error(channel.numbers, exact, values, plane, x, y);
   const Dyadic reach = {std::llabs(exact.dx(x)) + std::llabs(exact.dy(y)), -config_.subpixel_bits};
   const PlaneBound bound = plane_bound(channel.numbers, reach);
   const double limit = value(error > 0 ? bound.sum : bound.in_register);
@@ -156,43 +156,6 @@ void TriangleMeter::measure_coverage(const ExactTriangle& exact, const std::vect
     }
   }
   if (row.count(sent.size() - at, sent.size() - at)) row.where = place(sent[at].second, sent[at].first);
-}
-
-void TriangleMeter::search(TriangleSource& source, Vertices vertices, bool depth, int steps) {
-  const int x = width_ - 1, y = height_ - 1;
-  auto badness = [&](const ref::SnappedTriangle& t) {
-    const ExactTriangle exact(t, config_.subpixel_bits);
-    const ProbedSetup setup = probe_->setup(t);
-    const PixelSpan span = exact.span(y, width_);
-    if (setup.empty || span.first > x || span.last < x) return 0.0;
-    double worst = 0;
-    for (int c = 0; c < (depth ? 1 : 3); ++c) {
-      const double error = depth ? error_at(depth_.numbers, exact, exact.depth(), setup.depth, x, y)
-                                 : error_at(colour_.numbers, exact, exact.colour(c), setup.colour[c], x, y);
-      worst = std::max(worst, std::fabs(error));
-    }
-    return worst;
-  };
-  // A new start when nothing was gained for a while; the best of each climb is measured in full.
-  constexpr int kPatience = 200;
-  ref::SnappedTriangle best{};
-  double height = 0;
-  int idle = kPatience;
-  for (int n = 0; n < steps; ++n) {
-    if (idle >= kPatience) {
-      if (height > 0) measure(best);
-      best = source.farthest(vertices);
-      height = badness(best);
-      idle = 0;
-      continue;
-    }
-    const ref::SnappedTriangle next = source.changed(best, vertices);
-    const double at = badness(next);
-    ++idle;
-    if (at <= height) continue;
-    best = next, height = at, idle = 0;
-  }
-  measure(best);
 }
 
 }  // namespace halfspace::vectors

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "vectors/bounds_measure.hpp"
+
+namespace halfspace::vectors {
+
+void TriangleMeter::search(TriangleSource& source, Vertices vertices, bool depth, int steps) {
+  const int x = width_ - 1, y = height_ - 1;
+  auto badness = [&](const ref::SnappedTriangle& t) {
+    const ExactTriangle exact(t, config_.subpixel_bits);
+    const ProbedSetup setup = probe_->setup(t);
+    const PixelSpan span = exact.span(y, width_);
+    if (setup.empty || span.first > x || span.last < x) return 0.0;
+    double worst = 0;
+    for (int c = 0; c < (depth ? 1 : 3); ++c) {
+      const double error = depth ? plane_error(depth_.numbers, exact, exact.depth(), setup.depth, x, y)
+                                 : plane_error(colour_.numbers, exact, exact.colour(c), setup.colour[c], x, y);
+      worst = std::max(worst, std::fabs(error));
+    }
+    return worst;
+  };
+  // A new start when nothing was gained for a while; the best of each climb is measured in full.
+  constexpr int kPatience = 200;
+  ref::SnappedTriangle best{};
+  double height = 0;
+  int idle = kPatience;
+  for (int n = 0; n < steps; ++n) {
+    if (idle >= kPatience) {
+      if (height > 0) measure(best);
+      best = source.farthest(vertices);
+      height = badness(best);
+      idle = 0;
+      continue;
+    }
+    const ref::SnappedTriangle next = source.changed(best, vertices);
+    const double at = badness(next);
+    ++idle;
+    if (at <= height) continue;
+    best = next, height = at, idle = 0;
+  }
+  measure(best);
+}
+
+}  // namespace halfspace::vectors
