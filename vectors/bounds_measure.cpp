@@ -103,7 +103,7 @@ void TriangleMeter::measure_gradients(const Attribute& attribute, const ProbedSe
     const Wide product = numerator * Wide(setup.reciprocal);
     const Wide below = product >> n;  // the unit below: what is kept is it or the next
     const std::uint64_t above = low_bits(std::uint64_t(kept) - std::uint64_t(below), bits);
-    const double rest = std::ldexp(double(product - (below << n)), -n);
+    const double rest = std::ldexp(double(product - below * (Wide(1) << n)), -n);
     BoundRow& row = report_.rows[channel.gradient];
     if (row.see(above <= 1 ? double(above) - rest : INFINITY, 0.5)) row.where = place();
   }
