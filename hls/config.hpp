@@ -50,11 +50,12 @@ constexpr int depth_plane_latency(const Config& c) {
   return gradient_y + by_reciprocal + to_sum + by_distance + to_sum;
 }
 
-// Cycles a triangle of the RTL's triangle setup: those of the slowest of three units that work on three triangles at once.
-// The edges take 15, one of them to hand D to the divider; the division a quotient bit a cycle, and one to load it; a
-// depth plane leaves before the next one is begun.
+// Cycles at least that the RTL's triangle setup takes for a triangle that is not empty: those of the slowest of three units
+// that work on three triangles at once. The edges take 14, one of them to hand D to the divider, and one more where the
+// vertices come with D < 0; the division a quotient bit a cycle, and one to load it; a depth plane leaves before the next
+// one is begun.
 constexpr int setup_interval(const Config& c) {
-  const int edges = has_planes(c) ? 15 : 14;
+  const int edges = has_planes(c) ? 14 : 13;
   const int division = has_planes(c) ? c.reciprocal_bits + 3 : 0;
   const int depth = has_depth(c) ? depth_plane_latency(c) + 1 : 0;
   return max_of(max_of(edges, division), depth);

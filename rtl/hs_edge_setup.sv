@@ -11,12 +11,17 @@
 //
 // A triangle is read where it stands and taken when D is known: ready follows valid. It then rests
 // in the output while its edges are computed, hs_reciprocal divides, and the next triangle is
-// looked at. Interval: at most 15 cycles; 3 if the box is empty, 7 if D = 0. Stall: the area waits
-// for hs_reciprocal, the next triangle for the output to be taken. An empty triangle sends no area,
-// and only last, empty and index of its records count. Fields that are not computed here are 0.
+// looked at. Interval: 14 cycles, 13 where no plane asks for an area, one more if D < 0; 3 if the
+// box is empty, 7 if D = 0. Stall: the area waits for hs_reciprocal, the next triangle for the
+// output to be taken. An empty triangle sends no area, and all but last, empty and index is 0 then.
+// The depth plane of setup_o is 0.
 module hs_edge_setup #(
   parameter int unsigned LanesX = 1,
-  parameter int unsigned LanesY = 1
+  parameter int unsigned LanesY = 1,
+  localparam int unsigned HasDepth = hs_formats_pkg::HasDepth,
+  localparam int unsigned Gouraud = hs_formats_pkg::Gouraud,
+  localparam int unsigned DepthsBits = HasDepth != 0 ? 3 * hs_formats_pkg::DepthBits : 1,
+  localparam int unsigned ColoursBits = (Gouraud != 0 ? 9 : 3) * hs_formats_pkg::ColourBits
 ) (
   input  logic                        clk_i,
   input  logic                        rst_ni,
@@ -33,25 +38,31 @@ module hs_edge_setup #(
   input  logic                        area_ready_i,
   output hs_formats_pkg::area_t       area_o,
 
-  // To hs_triangle_setup: both records, the depths of the ordered vertices, the way to vertex 0
+  // To hs_triangle_setup: the record of the edges, and what the planes need: vertex 0, the way to
+  // the others, the way from the start to vertex 0, depths and colours of the ordered vertices
   output logic                        edge_valid_o,
   input  logic                        edge_ready_i,
   output hs_formats_pkg::setup_t      setup_o,
-  output hs_formats_pkg::attributes_t attributes_o,
-  output hs_formats_pkg::depth_t      depth0_o,
-  output hs_formats_pkg::depth_t      depth1_o,
-  output hs_formats_pkg::depth_t      depth2_o,
+  output hs_formats_pkg::coord_t      x0_o,
+  output hs_formats_pkg::coord_t      y0_o,
+  output hs_formats_pkg::delta_t      dx1_o,
+  output hs_formats_pkg::delta_t      dy1_o,
+  output hs_formats_pkg::delta_t      dx2_o,
+  output hs_formats_pkg::delta_t      dy2_o,
   output hs_formats_pkg::delta_t      x_o,
-  output hs_formats_pkg::delta_t      y_o
+  output hs_formats_pkg::delta_t      y_o,
+  output logic [DepthsBits-1:0]       depths_o,  // {0, 1, 2}; without depth a 0
+  output logic [ColoursBits-1:0]      colours_o  // As in attributes_t
 );
   localparam int unsigned DeltaBits = hs_formats_pkg::DeltaBits;
   localparam int unsigned EdgeBits = hs_formats_pkg::EdgeBits;
   localparam int unsigned SubpixelBits = hs_formats_pkg::SubpixelBits;
   localparam int unsigned Centre = SubpixelBits - 1;
 
-  // Order: which vertex is first. Cross: the products of D. Send: D to hs_reciprocal. Take: the
-  // triangle to the output. Edges: the products of the edge functions.
+  // Order: which vertex is first. Cross: the products of D. Send: D to hs_reciprocal, if there is
+  // one. Take: the triangle to the output. Edges: the products of the edge functions.
   typedef enum logic [2:0] {Order, Cross, Send, Take, Edges} state_e;
+  localparam state_e AfterCross = HasDepth != 0 || Gouraud != 0 ? Send : Take;
   state_e state_q;
   logic [2:0] step_q;
   logic swap_q, zero_q, outside, negative, zero, take, take_empty, free;
@@ -135,9 +146,9 @@ module hs_edge_setup #(
           if (step_q == 3'd4) begin
             swap_q <= negative;
             zero_q <= zero;
-            if (!negative) state_q <= zero ? Take : Send;
+            if (!negative) state_q <= zero ? Take : AfterCross;
           end
-          if (step_q == 3'd5) state_q <= Send;
+          if (step_q == 3'd5) state_q <= AfterCross;
         end
         Send: if (area_ready_i) state_q <= Take;
         Take: begin
@@ -219,8 +230,22 @@ module hs_edge_setup #(
   logic [2:0] ends, ends_q, ends_q2, ends_q3;  // Edge 1, 0, 2: as in hs_plane_setup
   hs_formats_pkg::edge_step_t e0_q, e1_q, e2_q;
   hs_formats_pkg::coord_t x0_q, y0_q;
-  hs_formats_pkg::attributes_t attributes_q;
-  hs_formats_pkg::depth_t depth0_q, depth1_q, depth2_q;
+  logic last_q, empty_q;
+  hs_formats_pkg::index_t index_q;
+  logic [DepthsBits-1:0] depths, depths_q;
+  logic [ColoursBits-1:0] colours, colours_q;
+
+  if (HasDepth != 0) begin : gen_depth
+    assign depths = {ordered.depth0, ordered.depth1, ordered.depth2};
+  end else begin : gen_no_depth
+    assign depths = '0;
+  end
+  if (Gouraud != 0) begin : gen_gouraud
+    assign colours = {ordered.r0, ordered.r1, ordered.r2, ordered.g0, ordered.g1, ordered.g2,
+                      ordered.b0, ordered.b1, ordered.b2};
+  end else begin : gen_flat
+    assign colours = {ordered.r, ordered.g, ordered.b};
+  end
 
   always_comb begin
     ends = '0;
@@ -246,22 +271,11 @@ module hs_edge_setup #(
 
   always_ff @(posedge clk_i) begin
     if (take) begin
-      attributes_q <= '0;
-      attributes_q.last <= ordered.last;
-      attributes_q.empty <= take_empty;
-      attributes_q.index <= ordered.index;
-      attributes_q.r0 <= ordered.r0;
-      attributes_q.r1 <= ordered.r1;
-      attributes_q.r2 <= ordered.r2;
-      attributes_q.g0 <= ordered.g0;
-      attributes_q.g1 <= ordered.g1;
-      attributes_q.g2 <= ordered.g2;
-      attributes_q.b0 <= ordered.b0;
-      attributes_q.b1 <= ordered.b1;
-      attributes_q.b2 <= ordered.b2;
-      depth0_q <= ordered.depth0;
-      depth1_q <= ordered.depth1;
-      depth2_q <= ordered.depth2;
+      last_q <= ordered.last;
+      empty_q <= take_empty;
+      index_q <= ordered.index;
+      depths_q <= depths;
+      colours_q <= colours;
       x0_q <= x0;
       y0_q <= y0;
       dx1_q <= dx1;
@@ -277,6 +291,23 @@ module hs_edge_setup #(
     if (ends_q3[0]) e1_q <= sum[EdgeBits-1:SubpixelBits];
     if (ends_q3[1]) e0_q <= sum[EdgeBits-1:SubpixelBits];
     if (ends_q3[2]) e2_q <= sum[EdgeBits-1:SubpixelBits];
+    if (take && take_empty) begin
+      colours_q <= '0;
+      x0_q <= '0;
+      y0_q <= '0;
+      dx1_q <= '0;
+      dy1_q <= '0;
+      dx2_q <= '0;
+      dy2_q <= '0;
+      x_first_q <= '0;
+      x_last_q <= '0;
+      x_start_q <= '0;
+      y_first_q <= '0;
+      y_last_q <= '0;
+      e0_q <= '0;
+      e1_q <= '0;
+      e2_q <= '0;
+    end
   end
 
   // The start is the centre of the first pixel of its stamp.
@@ -285,15 +316,20 @@ module hs_edge_setup #(
   assign y_o = DeltaBits'(y0_q)
                - $signed(DeltaBits'({setup_o.y_min << $clog2(LanesY), 1'b1, {Centre{1'b0}}}));
   assign edge_valid_o = valid_q && done_q;
-  assign depth0_o = depth0_q;
-  assign depth1_o = depth1_q;
-  assign depth2_o = depth2_q;
+  assign x0_o = x0_q;
+  assign y0_o = y0_q;
+  assign dx1_o = dx1_q;
+  assign dy1_o = dy1_q;
+  assign dx2_o = dx2_q;
+  assign dy2_o = dy2_q;
+  assign depths_o = depths_q;
+  assign colours_o = colours_q;
 
   always_comb begin
     setup_o = '0;
-    setup_o.last = attributes_q.last;
-    setup_o.empty = attributes_q.empty;
-    setup_o.index = attributes_q.index;
+    setup_o.last = last_q;
+    setup_o.empty = empty_q;
+    setup_o.index = index_q;
     setup_o.x_min = x_first_q >> $clog2(LanesX);
     setup_o.x_max = x_last_q >> $clog2(LanesX);
     setup_o.x_start = x_start_q >> $clog2(LanesX);
@@ -308,13 +344,5 @@ module hs_edge_setup #(
     setup_o.e0_dy = dx1_q;
     setup_o.e1_dy = dx21;
     setup_o.e2_dy = -dx2_q;
-
-    attributes_o = attributes_q;
-    attributes_o.x = x0_q;
-    attributes_o.y = y0_q;
-    attributes_o.dx1 = dx1_q;
-    attributes_o.dy1 = dy1_q;
-    attributes_o.dx2 = dx2_q;
-    attributes_o.dy2 = dy2_q;
   end
 endmodule

@@ -26,6 +26,7 @@ module hs_pipeline #(
   localparam int unsigned XBits = hs_formats_pkg::XBits,
   localparam int unsigned YBits = hs_formats_pkg::YBits,
   localparam int unsigned IndexBits = hs_formats_pkg::IndexBits,
+  localparam int unsigned HasDepth = hs_formats_pkg::HasDepth,
   localparam int unsigned DepthBits = hs_formats_pkg::DepthBits,
   localparam int unsigned ColourBits = hs_formats_pkg::ColourBits,
   localparam int unsigned StampBits = 2 + IndexBits + XBits + YBits + Lanes * (1 + DepthBits),
@@ -80,7 +81,9 @@ module hs_pipeline #(
   localparam int unsigned StampsY = (hs_formats_pkg::MaxHeight + LanesY - 1) / LanesY;
   localparam int unsigned AddressBits = $clog2(StampsX * StampsY);
   localparam int unsigned EntryBits = $clog2(hs_formats_pkg::Triangles);
-  localparam int unsigned PlanesBits = 9 * hs_formats_pkg::ColourPlaneBits;
+  localparam int unsigned DepthsBits = HasDepth != 0 ? Lanes * DepthBits : 1;
+  localparam int unsigned PlanesBits =
+      (hs_formats_pkg::Gouraud != 0 ? 9 : 3) * hs_formats_pkg::ColourPlaneBits;
 
   // --- frames ---
   logic frames_open, start_valid, start_ready, start_clear, scan_bank, planes_bank;
@@ -169,7 +172,7 @@ module hs_pipeline #(
   logic ztest_read_en, ztest_read_bank, ztest_write_bank;
   logic [AddressBits-1:0] ztest_read_address, ztest_write_address;
   logic [Lanes*IndexBits-1:0] ztest_read_index;
-  logic [Lanes*DepthBits-1:0] ztest_read_depth, ztest_write_depth;
+  logic [DepthsBits-1:0] ztest_read_depth, ztest_write_depth;
   logic [Lanes-1:0] ztest_write_en;
   hs_formats_pkg::index_t ztest_write_index;
 
@@ -218,10 +221,9 @@ module hs_pipeline #(
   logic [AddressBits-1:0] scan_address;
   logic [Lanes*IndexBits-1:0] scan_read_index;
 
-  hs_ram_1r1w #(
-    .Width(Lanes * DepthBits),
-    .Depth(StampsX * StampsY),
-    .Lanes(Lanes)
+  hs_depth_buffer #(
+    .Lanes(Lanes),
+    .Depth(StampsX * StampsY)
   ) u_depth_buffer (
     .clk_i          (clk_i),
     .read_en_i      (ztest_read_en),

@@ -15,10 +15,12 @@
 // Latency of a job alone: at most 22. Stall: all waits while a plane offered is not taken.
 // Inputs are not copied: a job's stay until ready_o takes it, with its last product by R.
 module hs_plane_setup #(
-  parameter int unsigned ValueBits = hs_formats_pkg::DepthBits,
-  parameter int unsigned Fraction = hs_formats_pkg::DepthFraction,
+  parameter int unsigned ValueBits,
+  parameter int unsigned Fraction,
   parameter int unsigned Chunk = 17,
-  localparam int unsigned PlaneBits = ValueBits + Fraction
+  localparam int unsigned PlaneBits = ValueBits + Fraction,
+  localparam int unsigned ShiftBits = hs_formats_pkg::ShiftBits,
+  localparam int unsigned ReciprocalBits = hs_formats_pkg::ReciprocalBits
 ) (
   input  logic                        clk_i,
   input  logic                        rst_ni,
@@ -33,8 +35,8 @@ module hs_plane_setup #(
   input  hs_formats_pkg::delta_t      dy1_i,
   input  hs_formats_pkg::delta_t      dx2_i,
   input  hs_formats_pkg::delta_t      dy2_i,
-  input  hs_formats_pkg::shift_t      shift_i,
-  input  hs_formats_pkg::reciprocal_t reciprocal_i,
+  input  logic [ShiftBits-1:0]        shift_i,
+  input  logic [ReciprocalBits-1:0]   reciprocal_i,
   input  hs_formats_pkg::delta_t      x_i,
   input  hs_formats_pkg::delta_t      y_i,
 
@@ -46,9 +48,8 @@ module hs_plane_setup #(
 );
   localparam int unsigned DeltaBits = hs_formats_pkg::DeltaBits;
   localparam int unsigned SubpixelBits = hs_formats_pkg::SubpixelBits;
-  localparam int unsigned ReciprocalBits = hs_formats_pkg::ReciprocalBits;
-  // |v1 − v0| < 2^b, |dy| < 2^c: |N| < 2^(b+c+1), see numerator_bits() in hls/formats.hpp.
-  localparam int unsigned NumeratorBits = ValueBits + hs_formats_pkg::CoordBits + 2;
+  // |N| < 2^(b+c): depth_numerator and colour_numerator of hls/formats.hpp.
+  localparam int unsigned NumeratorBits = ValueBits + hs_formats_pkg::CoordBits + 1;
   localparam int unsigned StartBits = PlaneBits + SubpixelBits;
   localparam int unsigned WideBits = NumeratorBits > StartBits ? NumeratorBits : StartBits;
   localparam int unsigned NarrowBits = Chunk + 1;

@@ -12,32 +12,30 @@ module hs_raster_hold #(
   localparam int unsigned XBits = hs_formats_pkg::XBits,
   localparam int unsigned YBits = hs_formats_pkg::YBits,
   localparam int unsigned IndexBits = hs_formats_pkg::IndexBits,
-  localparam int unsigned DepthBits = hs_formats_pkg::DepthBits,
-  localparam int unsigned StampBits = 2 + IndexBits + XBits + YBits + Lanes * (1 + DepthBits)
+  localparam int unsigned LanesBits = Lanes * (1 + hs_formats_pkg::DepthBits),
+  localparam int unsigned StampBits = 2 + IndexBits + XBits + YBits + LanesBits
 ) (
-  input  logic                       clk_i,
-  input  logic                       rst_ni,
+  input  logic                   clk_i,
+  input  logic                   rst_ni,
 
   // From hs_raster_pineda: a stamp, the end of the triangle, or both
-  output logic                       ready_o,
-  input  logic                       covered_i,
-  input  logic                       finish_i,
-  input  logic                       last_i,
-  input  hs_formats_pkg::index_t     index_i,
-  input  hs_formats_pkg::x_t         x_i,
-  input  hs_formats_pkg::y_t         y_i,
-  input  logic [Lanes-1:0]           mask_i,
-  input  logic [Lanes*DepthBits-1:0] depth_i,
+  output logic                   ready_o,
+  input  logic                   covered_i,
+  input  logic                   finish_i,
+  input  logic                   last_i,
+  input  hs_formats_pkg::index_t index_i,
+  input  hs_formats_pkg::x_t     x_i,
+  input  hs_formats_pkg::y_t     y_i,
+  input  logic [LanesBits-1:0]   lanes_i,  // {mask, depth}, as in the stamp
 
   // To ztest_index
-  output logic                       stamp_valid_o,
-  input  logic                       stamp_ready_i,
-  output logic [StampBits-1:0]       stamp_o
+  output logic                   stamp_valid_o,
+  input  logic                   stamp_ready_i,
+  output logic [StampBits-1:0]   stamp_o
 );
   logic held_q, final_q, stamp_valid_q, stamp_free, send;
   hs_formats_pkg::stamp_head_t head_q;
-  logic [Lanes-1:0] mask_q;
-  logic [Lanes*DepthBits-1:0] depth_q;
+  logic [LanesBits-1:0] lanes_q;
   logic [StampBits-1:0] stamp_q;
 
   assign stamp_free = !stamp_valid_q || stamp_ready_i;
@@ -69,15 +67,13 @@ module hs_raster_hold #(
     if (covered_i) begin
       head_q.x <= x_i;
       head_q.y <= y_i;
-      mask_q <= mask_i;
-      depth_q <= depth_i;
+      lanes_q <= lanes_i;
     end else if (finish_i && (!held_q || final_q)) begin
       head_q.x <= '0;
       head_q.y <= '0;
-      mask_q <= '0;
-      depth_q <= '0;
+      lanes_q <= '0;
     end
-    if (send) stamp_q <= {head_q, mask_q, depth_q};
+    if (send) stamp_q <= {head_q, lanes_q};
   end
 
   assign stamp_valid_o = stamp_valid_q;

@@ -15,8 +15,8 @@ module hs_raster_pineda #(
   localparam int unsigned XBits = hs_formats_pkg::XBits,
   localparam int unsigned YBits = hs_formats_pkg::YBits,
   localparam int unsigned IndexBits = hs_formats_pkg::IndexBits,
-  localparam int unsigned DepthBits = hs_formats_pkg::DepthBits,
-  localparam int unsigned StampBits = 2 + IndexBits + XBits + YBits + Lanes * (1 + DepthBits)
+  localparam int unsigned LanesBits = Lanes * (1 + hs_formats_pkg::DepthBits),
+  localparam int unsigned StampBits = 2 + IndexBits + XBits + YBits + LanesBits
 ) (
   input  logic                   clk_i,
   input  logic                   rst_ni,
@@ -56,7 +56,7 @@ module hs_raster_pineda #(
   logic [2:0] near, near_right, near_left, near_below, rises_right, rises_left;
   logic [3*Lanes-1:0] inside_edge;
   logic [Lanes-1:0] inside_frame, mask;
-  logic [Lanes*DepthBits-1:0] depth;
+  logic [LanesBits-1:0] lane_fields;
 
   logic load, visit, found, searching, can_go_right, can_go_left, want_right, want_left;
   logic go_right, go_left, go_back, row_done, triangle_done, finish, covered, hold_ready;
@@ -178,19 +178,23 @@ module hs_raster_pineda #(
     );
   end
 
-  hs_raster_depth #(
-    .LanesX(LanesX),
-    .LanesY(LanesY)
-  ) u_depth (
-    .clk_i       (clk_i),
-    .depth_i     (setup_i.depth),
-    .depth_dx_i  (setup_i.depth_dx),
-    .depth_dy_i  (setup_i.depth_dy),
-    .move_i      (move),
-    .keep_left_i (keep_left),
-    .keep_below_i(keep_below),
-    .depth_o     (depth)
-  );
+  if (hs_formats_pkg::HasDepth != 0) begin : gen_depth
+    hs_raster_depth #(
+      .DepthBits(hs_formats_pkg::DepthBits),
+      .PlaneBits(hs_formats_pkg::DepthPlaneBits),
+      .LanesX   (LanesX),
+      .LanesY   (LanesY)
+    ) u_depth (
+      .clk_i       (clk_i),
+      .depth_i     (setup_i.depth),
+      .dx_i        (setup_i.depth_dx),
+      .dy_i        (setup_i.depth_dy),
+      .move_i      (move),
+      .keep_left_i (keep_left),
+      .keep_below_i(keep_below),
+      .depth_o     (lane_fields[LanesBits-Lanes-1:0])
+    );
+  end
 
   hs_raster_clip #(
     .LanesX(LanesX),
@@ -208,6 +212,7 @@ module hs_raster_pineda #(
   assign mask = inside_edge[0+:Lanes] & inside_edge[Lanes+:Lanes] & inside_edge[2*Lanes+:Lanes] &
                 inside_frame;
   assign covered = visit && !empty_q && |mask;
+  assign lane_fields[LanesBits-1-:Lanes] = mask;
 
   hs_raster_hold #(
     .LanesX(LanesX),
@@ -222,8 +227,7 @@ module hs_raster_pineda #(
     .index_i      (index_q),
     .x_i          (x),
     .y_i          (y_q),
-    .mask_i       (mask),
-    .depth_i      (depth),
+    .lanes_i      (lane_fields),
     .stamp_valid_o(stamp_valid_o),
     .stamp_ready_i(stamp_ready_i),
     .stamp_o      (stamp_o)

@@ -5,10 +5,14 @@
 //
 // A stage normalizes D, by 16, 4 or 1 places a cycle; the next divides, a quotient bit a cycle. The
 // division is non-restoring: the signs of its remainders are those of the restoring one.
-// Interval: ReciprocalFraction + 3 cycles. Latency: at most 8 more for the normalization, which
+// Interval: Fraction + 3 cycles. Latency: at most 8 more for the normalization, which
 // runs during the division before. Stall: a quotient stays until taken, a normalized D behind it.
 // Illegal: D = 0.
-module hs_reciprocal (
+module hs_reciprocal #(
+  parameter int unsigned Fraction,  // r
+  localparam int unsigned ReciprocalBits = Fraction + 1,
+  localparam int unsigned ShiftBits = hs_formats_pkg::ShiftBits
+) (
   input  logic                        clk_i,
   input  logic                        rst_ni,
 
@@ -20,12 +24,10 @@ module hs_reciprocal (
   // To hs_triangle_setup: s and R
   output logic                        reciprocal_valid_o,
   input  logic                        reciprocal_ready_i,
-  output hs_formats_pkg::shift_t      shift_o,
-  output hs_formats_pkg::reciprocal_t reciprocal_o
+  output logic [ShiftBits-1:0]        shift_o,
+  output logic [ReciprocalBits-1:0]   reciprocal_o
 );
   localparam int unsigned AreaBits = hs_formats_pkg::AreaBits;
-  localparam int unsigned ShiftBits = hs_formats_pkg::ShiftBits;
-  localparam int unsigned ReciprocalBits = hs_formats_pkg::ReciprocalBits;
   localparam int unsigned QuotientBits = ReciprocalBits + 1;  // one more, for the rounding
   localparam int unsigned Stride = 16;
   localparam int unsigned Step = 4;

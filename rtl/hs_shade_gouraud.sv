@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The plane-equation Gouraud shader at scan-out (kernel: hls/shade_gouraud.hpp).
+// The plane-equation Gouraud shader at scan-out (kernel: hls/shade_gouraud.hpp). Flat triangles
+// have their colour in TdbS: there are no planes then, no stages for them and no multiplier.
 //
 // Interval: a cycle for each different triangle in a stamp, one for a stamp of pure background.
-// Latency: 9 cycles from a scan word with one triangle to its pixel word. Stages:
+// Latency: 9 cycles from a scan word with one triangle to its pixel word, 4 if flat. Stages:
 // pick | read | data | five of the planes | merge into the stamp. Six multipliers.
 // Stall: everything stops while a finished stamp is not taken.
 // TdbS: entry index − 1, bits as in planes_t from r on; a read takes one cycle, its word stays
@@ -15,7 +16,9 @@ module hs_shade_gouraud #(
   localparam int unsigned YBits = hs_formats_pkg::YBits,
   localparam int unsigned IndexBits = hs_formats_pkg::IndexBits,
   localparam int unsigned ColourBits = hs_formats_pkg::ColourBits,
+  localparam int unsigned Gouraud = hs_formats_pkg::Gouraud,
   localparam int unsigned PlaneBits = hs_formats_pkg::ColourPlaneBits,
+  localparam int unsigned PlanesBits = (Gouraud != 0 ? 9 : 3) * PlaneBits,
   localparam int unsigned ScanBits = 1 + XBits + YBits + Lanes * IndexBits,
   localparam int unsigned PixelBits = 1 + XBits + YBits + Lanes * 3 * ColourBits,
   localparam int unsigned EntryBits = $clog2(hs_formats_pkg::Triangles)
@@ -34,7 +37,7 @@ module hs_shade_gouraud #(
   output logic                    read_en_o,
   output logic                    read_bank_o,
   output logic [EntryBits-1:0]    read_entry_o,
-  input  logic [9*PlaneBits-1:0]  read_planes_i,
+  input  logic [PlanesBits-1:0]   read_planes_i,
 
   // To the frame
   output logic                    pixel_valid_o,
@@ -42,7 +45,7 @@ module hs_shade_gouraud #(
   output logic [PixelBits-1:0]    pixel_o
 );
   // From pick to merge: read, data, and the stages of hs_shade_plane.
-  localparam int unsigned PlaneStages = 5;
+  localparam int unsigned PlaneStages = Gouraud != 0 ? 5 : 0;
   localparam int unsigned Stages = PlaneStages + 2;
   localparam int unsigned HeadBits = 1 + XBits + YBits;
 
@@ -61,9 +64,6 @@ module hs_shade_gouraud #(
   logic [Stages*Lanes-1:0] lanes_q;
   logic [Stages*HeadBits-1:0] heads_q;
   hs_formats_pkg::scan_head_t merge_head;
-  hs_formats_pkg::x_t data_x;
-  hs_formats_pkg::y_t data_y;
-  logic unused_data_last;
   logic read_bank_q;
   logic [EntryBits-1:0] read_entry_q;
   logic [3*Lanes*ColourBits-1:0] colour;
@@ -129,24 +129,29 @@ module hs_shade_gouraud #(
   assign read_bank_o = read_bank_q;
   assign read_entry_o = read_entry_q;
 
-  assign {unused_data_last, data_x, data_y} = heads_q[HeadBits +: HeadBits];
   assign merge_head = heads_q[(Stages-1)*HeadBits +: HeadBits];
 
   // Planes 2, 1, 0 are r, g, b, as in planes_t.
   for (genvar i = 0; i < 3; i++) begin : gen_plane
-    hs_shade_plane #(
-      .LanesX(LanesX),
-      .LanesY(LanesY)
-    ) u_plane (
-      .clk_i     (clk_i),
-      .en_i      (go),
-      .plane_i   (read_planes_i[(3*i+2)*PlaneBits +: PlaneBits]),
-      .plane_dx_i(read_planes_i[(3*i+1)*PlaneBits +: PlaneBits]),
-      .plane_dy_i(read_planes_i[3*i*PlaneBits +: PlaneBits]),
-      .x_i       (data_x),
-      .y_i       (data_y),
-      .colour_o  (colour[i*Lanes*ColourBits +: Lanes*ColourBits])
-    );
+    if (Gouraud != 0) begin : gen_gouraud
+      hs_shade_plane #(
+        .PlaneBits(PlaneBits),
+        .LanesX   (LanesX),
+        .LanesY   (LanesY)
+      ) u_plane (
+        .clk_i     (clk_i),
+        .en_i      (go),
+        .plane_i   (read_planes_i[(3*i+2)*PlaneBits +: PlaneBits]),
+        .plane_dx_i(read_planes_i[(3*i+1)*PlaneBits +: PlaneBits]),
+        .plane_dy_i(read_planes_i[3*i*PlaneBits +: PlaneBits]),
+        .x_i       (heads_q[HeadBits+YBits +: XBits]),
+        .y_i       (heads_q[HeadBits +: YBits]),
+        .colour_o  (colour[i*Lanes*ColourBits +: Lanes*ColourBits])
+      );
+    end else begin : gen_flat
+      assign colour[i*Lanes*ColourBits +: Lanes*ColourBits] =
+          {Lanes{read_planes_i[i*PlaneBits +: PlaneBits]}};
+    end
 
     for (genvar lane = 0; lane < Lanes; lane++) begin : gen_lane
       localparam int unsigned Place = (i * Lanes + lane) * ColourBits;

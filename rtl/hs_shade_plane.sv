@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 // One colour plane of hs_shade_gouraud at all pixels of a stamp: floor(c + dx·x + dy·y), modulo
-// 2^ColourPlaneBits (kernel: shade_lanes in hls/shade_gouraud.hpp).
+// 2^PlaneBits (kernel: shade_lanes in hls/shade_gouraud.hpp).
 //
 // Interval 1, latency 5 cycles, of those in which en_i is 1. Two multipliers.
 module hs_shade_plane #(
+  parameter int unsigned PlaneBits,
   parameter int unsigned LanesX = 2,
   parameter int unsigned LanesY = 2,
   localparam int unsigned Lanes = LanesX * LanesY,
   localparam int unsigned ColourBits = hs_formats_pkg::ColourBits
 ) (
-  input  logic                             clk_i,
-  input  logic                             en_i,
+  input  logic                        clk_i,
+  input  logic                        en_i,
 
-  input  hs_formats_pkg::colour_plane_t    plane_i,  // at the centre of pixel (0, 0)
-  input  hs_formats_pkg::colour_gradient_t plane_dx_i,
-  input  hs_formats_pkg::colour_gradient_t plane_dy_i,
-  input  hs_formats_pkg::x_t               x_i,  // in stamps
-  input  hs_formats_pkg::y_t               y_i,
+  input  logic [PlaneBits-1:0]        plane_i,  // at the centre of pixel (0, 0)
+  input  logic signed [PlaneBits-1:0] plane_dx_i,
+  input  logic signed [PlaneBits-1:0] plane_dy_i,
+  input  hs_formats_pkg::x_t          x_i,  // in stamps
+  input  hs_formats_pkg::y_t          y_i,
 
-  output logic [Lanes*ColourBits-1:0]      colour_o
+  output logic [Lanes*ColourBits-1:0] colour_o
 );
-  localparam int unsigned PlaneBits = hs_formats_pkg::ColourPlaneBits;
   // A product with the position in stamps, shifted, loses the top bits of the gradient.
   localparam int unsigned DxBits = PlaneBits - $clog2(LanesX);
   localparam int unsigned DyBits = PlaneBits - $clog2(LanesY);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The Z-test with an index buffer: Z-buffer and I-buffer are tested and updated together, and a
-// triangle is reported visible when a fragment of it passed (kernel: hls/ztest_index.hpp).
+// triangle is reported visible when a fragment of it passed (kernel: hls/ztest_index.hpp). Without
+// depth the first fragment of a pixel passes; the ports of the Z-buffer are one bit then, 0 and not
+// looked at.
 //
 // Interval: a stamp a cycle, whatever the addresses. Latency: 3 cycles from a stamp to its write,
 // 4 to `visible`. Stages: address | read | test | write. What is being written while a stamp is
@@ -17,7 +19,9 @@ module hs_ztest_index #(
   localparam int unsigned XBits = hs_formats_pkg::XBits,
   localparam int unsigned YBits = hs_formats_pkg::YBits,
   localparam int unsigned IndexBits = hs_formats_pkg::IndexBits,
+  localparam int unsigned HasDepth = hs_formats_pkg::HasDepth,
   localparam int unsigned DepthBits = hs_formats_pkg::DepthBits,
+  localparam int unsigned DepthsBits = HasDepth != 0 ? Lanes * DepthBits : 1,
   localparam int unsigned StampBits = 2 + IndexBits + XBits + YBits + Lanes * (1 + DepthBits),
   localparam int unsigned UpdateBits = IndexBits + XBits + YBits + Lanes * (1 + DepthBits),
   localparam int unsigned StampsX = (hs_formats_pkg::MaxWidth + LanesX - 1) / LanesX,
@@ -46,19 +50,20 @@ module hs_ztest_index #(
   output logic                       read_bank_o,  // of the I-buffer
   output logic [AddressBits-1:0]     read_address_o,
   input  logic [Lanes*IndexBits-1:0] read_index_i,
-  input  logic [Lanes*DepthBits-1:0] read_depth_i,
+  input  logic [DepthsBits-1:0]      read_depth_i,
   output logic [Lanes-1:0]           write_en_o,
   output logic                       write_bank_o,
   output logic [AddressBits-1:0]     write_address_o,
   output hs_formats_pkg::index_t     write_index_o,  // in each lane that is written
-  output logic [Lanes*DepthBits-1:0] write_depth_o
+  output logic [DepthsBits-1:0]      write_depth_o
 );
+  localparam int unsigned HeadBits = 2 + IndexBits + XBits + YBits;
+
   logic go;  // all stages move
 
   // Stage address.
   hs_formats_pkg::stamp_head_t stamp_head;
   logic [Lanes-1:0] stamp_mask;
-  logic [Lanes*DepthBits-1:0] stamp_depth;
   logic [AddressBits-1:0] stamp_address;
   logic bank_q;
 
@@ -66,7 +71,7 @@ module hs_ztest_index #(
   logic read_valid_q, test_valid_q, write_valid_q;
   hs_formats_pkg::stamp_head_t read_head_q, test_head_q, write_head_q;
   logic [Lanes-1:0] read_mask_q, test_mask_q, pass_d, pass_q, done_pass_q;
-  logic [Lanes*DepthBits-1:0] read_depth_q, test_depth_q, write_depth_q, done_depth_q;
+  logic [Lanes-1:0] first, nearer;  // in test: nothing is stored at the pixel; less than what is
   logic [AddressBits-1:0] read_address_q, test_address_q, write_address_q;
   logic read_bank_q, test_bank_q, write_bank_q;
   logic near_hit_q, far_hit_q;  // the stamp in test has the address of the one before, before that
@@ -74,7 +79,8 @@ module hs_ztest_index #(
   hs_formats_pkg::visible_t visible_q;
   hs_formats_pkg::update_head_t update_head;
 
-  assign {stamp_head, stamp_mask, stamp_depth} = stamp_i;
+  assign stamp_head = stamp_i[StampBits-1-:HeadBits];
+  assign stamp_mask = stamp_i[StampBits-HeadBits-1-:Lanes];
   assign stamp_ready_o = go;
 
   // y·StampsX + x, by shifts, as StampsX has two to four ones.
@@ -109,13 +115,11 @@ module hs_ztest_index #(
     if (go) begin
       read_head_q <= stamp_head;
       read_mask_q <= stamp_mask;
-      read_depth_q <= stamp_depth;
       read_address_q <= stamp_address;
       read_bank_q <= bank_q;
 
       test_head_q <= read_head_q;
       test_mask_q <= read_mask_q;
-      test_depth_q <= read_depth_q;
       test_address_q <= read_address_q;
       test_bank_q <= read_bank_q;
       near_hit_q <= test_valid_q && read_address_q == test_address_q && read_bank_q == test_bank_q;
@@ -123,26 +127,42 @@ module hs_ztest_index #(
                    read_bank_q == write_bank_q;
 
       write_head_q <= test_head_q;
-      write_depth_q <= test_depth_q;
       write_address_q <= test_address_q;
       write_bank_q <= test_bank_q;
       pass_q <= pass_d;
 
-      done_depth_q <= write_depth_q;
       done_pass_q <= pass_q;
     end
   end
 
   for (genvar lane = 0; lane < Lanes; lane++) begin : gen_lane
-    hs_formats_pkg::depth_t stored;
+    assign first[lane] = !(near_hit_q && pass_q[lane]) && !(far_hit_q && done_pass_q[lane])
+                         && read_index_i[lane*IndexBits +: IndexBits] == '0;
+  end
+  assign pass_d = test_mask_q & nearer;
 
-    always_comb begin
-      if (near_hit_q && pass_q[lane]) stored = write_depth_q[lane*DepthBits +: DepthBits];
-      else if (far_hit_q && done_pass_q[lane]) stored = done_depth_q[lane*DepthBits +: DepthBits];
-      else if (read_index_i[lane*IndexBits +: IndexBits] == '0) stored = '1;
-      else stored = read_depth_i[lane*DepthBits +: DepthBits];
-    end
-    assign pass_d[lane] = test_mask_q[lane] && test_depth_q[lane*DepthBits +: DepthBits] < stored;
+  if (HasDepth != 0) begin : gen_depth
+    hs_ztest_depth #(
+      .DepthBits(DepthBits),
+      .Lanes    (Lanes)
+    ) u_depth (
+      .clk_i        (clk_i),
+      .go_i         (go),
+      .near_i       (pass_q & {Lanes{near_hit_q}}),
+      .far_i        (done_pass_q & {Lanes{far_hit_q}}),
+      .first_i      (first),
+      .stamp_depth_i(stamp_i[Lanes*DepthBits-1:0]),
+      .read_depth_i (read_depth_i),
+      .nearer_o     (nearer),
+      .write_depth_o(write_depth_o)
+    );
+    assign update_o = {update_head, pass_q, write_depth_o};
+  end else begin : gen_no_depth
+    logic unused_read_depth;
+    assign unused_read_depth = read_depth_i;
+    assign nearer = first;
+    assign write_depth_o = 1'b0;
+    assign update_o = {update_head, pass_q};
   end
 
   // Stage write.
@@ -150,13 +170,11 @@ module hs_ztest_index #(
   assign write_bank_o = write_bank_q;
   assign write_address_o = write_address_q;
   assign write_index_o = write_head_q.index;
-  assign write_depth_o = write_depth_q;
 
   assign update_head.index = write_head_q.index;
   assign update_head.x = write_head_q.x;
   assign update_head.y = write_head_q.y;
   assign update_valid_o = |write_en_o;
-  assign update_o = {update_head, pass_q, write_depth_q};
 
   assign triangle_done = write_valid_q && write_head_q.triangle_last;
   assign go = !triangle_done || !visible_valid_q || visible_ready_i;

@@ -10,9 +10,11 @@ module hs_units #(
   parameter int unsigned LanesY = 2,
   localparam int unsigned Lanes = LanesX * LanesY,
   localparam int unsigned IndexBits = hs_formats_pkg::IndexBits,
+  localparam int unsigned HasDepth = hs_formats_pkg::HasDepth,
   localparam int unsigned DepthBits = hs_formats_pkg::DepthBits,
+  localparam int unsigned DepthsBits = HasDepth != 0 ? Lanes * DepthBits : 1,
   localparam int unsigned ColourBits = hs_formats_pkg::ColourBits,
-  localparam int unsigned PlaneBits = hs_formats_pkg::ColourPlaneBits,
+  localparam int unsigned PlanesBits = (hs_formats_pkg::Gouraud != 0 ? 9 : 3) * hs_formats_pkg::ColourPlaneBits,
   localparam int unsigned StampHeadBits = $bits(hs_formats_pkg::stamp_head_t),
   localparam int unsigned UpdateHeadBits = $bits(hs_formats_pkg::update_head_t),
   localparam int unsigned ScanHeadBits = $bits(hs_formats_pkg::scan_head_t),
@@ -138,11 +140,11 @@ module hs_units #(
     .stamp_o       (raster_pineda_stamp_o)
   );
 
-  // ztest_index, with two I-buffer banks and a Z-buffer.
+  // ztest_index, with two I-buffer banks and, if it looks at one, a Z-buffer.
   logic ztest_read_en, ztest_read_bank, ztest_read_bank_q, ztest_write_bank, ztest_clear_bank_q;
   logic [AddressBits-1:0] ztest_read_address, ztest_write_address;
   logic [Lanes*IndexBits-1:0] ztest_read_index [2];
-  logic [Lanes*DepthBits-1:0] ztest_read_depth, ztest_write_depth;
+  logic [DepthsBits-1:0] ztest_read_depth, ztest_write_depth;
   logic [Lanes-1:0] ztest_write_en;
   hs_formats_pkg::index_t ztest_write_index;
 
@@ -199,20 +201,24 @@ module hs_units #(
     );
   end
 
-  hs_bench_ram #(
-    .Width(Lanes * DepthBits),
-    .Depth(Stamps),
-    .Lanes(Lanes)
-  ) u_ztest_depth (
-    .clk_i          (ztest_index_clk_i),
-    .clear_i        (1'b0),
-    .read_en_i      (ztest_read_en),
-    .read_address_i (ztest_read_address),
-    .read_data_o    (ztest_read_depth),
-    .write_en_i     (ztest_write_en),
-    .write_address_i(ztest_write_address),
-    .write_data_i   (ztest_write_depth)
-  );
+  if (HasDepth != 0) begin : gen_ztest_depth
+    hs_bench_ram #(
+      .Width(DepthsBits),
+      .Depth(Stamps),
+      .Lanes(Lanes)
+    ) u_ztest_depth (
+      .clk_i          (ztest_index_clk_i),
+      .clear_i        (1'b0),
+      .read_en_i      (ztest_read_en),
+      .read_address_i (ztest_read_address),
+      .read_data_o    (ztest_read_depth),
+      .write_en_i     (ztest_write_en),
+      .write_address_i(ztest_write_address),
+      .write_data_i   (ztest_write_depth)
+    );
+  end else begin : gen_no_ztest_depth
+    assign ztest_read_depth = 1'b1;  // nobody looks at it
+  end
 
   // scan_index, with an I-buffer that `update` words fill before the scan.
   logic scan_read_en, scan_write_en;
@@ -220,9 +226,8 @@ module hs_units #(
   logic [Lanes*IndexBits-1:0] scan_read_index;
   hs_formats_pkg::update_head_t update_head;
   logic [Lanes-1:0] update_mask;
-  logic [Lanes*DepthBits-1:0] unused_update_depth;
 
-  assign {update_head, update_mask, unused_update_depth} = scan_index_update_i;
+  assign {update_head, update_mask} = scan_index_update_i[UpdateBits-1-:UpdateHeadBits+Lanes];
   assign update_address = AddressBits'(update_head.y) * AddressBits'(StampsX) + AddressBits'(update_head.x);
 
   hs_scan_index #(
@@ -263,7 +268,7 @@ module hs_units #(
   // shade_gouraud, with two TdbS banks that `planes` words fill before the scan; `last` ends a frame's words.
   logic shade_read_en, shade_read_bank, shade_read_bank_q, planes_bank_q;
   logic [EntryBits-1:0] shade_read_entry;
-  logic [9*PlaneBits-1:0] shade_read_planes [2];
+  logic [PlanesBits-1:0] shade_read_planes [2];
   hs_formats_pkg::index_t planes_entry;
 
   assign planes_entry = shade_gouraud_planes_i.index - IndexBits'(1);
@@ -299,7 +304,7 @@ module hs_units #(
 
   for (genvar bank = 0; bank < 2; bank++) begin : gen_shade_bank
     hs_bench_ram #(
-      .Width(9 * PlaneBits),
+      .Width(PlanesBits),
       .Depth(hs_formats_pkg::Triangles)
     ) u_planes (
       .clk_i          (shade_gouraud_clk_i),
@@ -309,7 +314,7 @@ module hs_units #(
       .read_data_o    (shade_read_planes[bank]),
       .write_en_i     (shade_gouraud_planes_valid_i && !shade_gouraud_planes_i.empty && planes_bank_q == 1'(bank)),
       .write_address_i(planes_entry[EntryBits-1:0]),
-      .write_data_i   (shade_gouraud_planes_i[9*PlaneBits-1:0])
+      .write_data_i   (shade_gouraud_planes_i[PlanesBits-1:0])
     );
   end
 endmodule

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Verilator's lint with all warnings over every unit of the RTL, in every configuration.
+"""Verilator's lint with all warnings over every unit of the RTL, in every configuration or with the packages given.
 
 A unit is a module that docs/architecture.md lists; the modules below it are seen through it, and a file that no unit
 reaches is a fault. tb/lint.vlt holds the waivers. Ends with a count: silence would prove nothing.
@@ -18,11 +18,11 @@ CONFIGS = ["low", "middle", "high"]
 STAMPS = [(1, 1), (2, 2), (4, 4)]
 
 
-def lint(args, root, config, top, lanes):
+def lint(args, root, package, top, lanes):
     """What Verilator says, or '' if nothing."""
     text = (root / f"{top}.sv").read_text()
     command = [args.verilator, "--lint-only", "-Wall", "--top-module", top,
-               str(pathlib.Path(__file__).with_name("lint.vlt")), str(root / config / "hs_formats_pkg.sv"),
+               str(pathlib.Path(__file__).with_name("lint.vlt")), str(package),
                str(root / f"{top}.sv"), "-y", str(root)]
     if re.search(r"\bparameter\b[^,;)]*\bLanesX\b", text):
         command += [f"-GLanesX={lanes[0]}", f"-GLanesY={lanes[1]}"]
@@ -47,20 +47,22 @@ def reached(root, top):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--verilator", default="verilator", help="the program (default: %(default)s)")
+    parser.add_argument("--package", type=pathlib.Path, action="append", help="of a configuration (default: low, middle, high)")
     parser.add_argument("--rtl", type=pathlib.Path, default=pathlib.Path(__file__).resolve().parent.parent / "rtl")
     args = parser.parse_args()
     root = args.rtl
+    packages = args.package or [root / config / "hs_formats_pkg.sv" for config in CONFIGS]
     faults = runs = 0
     for top in TOPS:
         if not (root / f"{top}.sv").exists():
             print(f"lint: {root}/{top}.sv is missing")
             faults += 1
             continue
-        for config in CONFIGS:
+        for package in packages:
             for lanes in STAMPS:
                 runs += 1
-                if output := lint(args, root, config, top, lanes):
-                    print(f"lint: {top}, {config}, {lanes[0]}x{lanes[1]}:\n{output}")
+                if output := lint(args, root, package, top, lanes):
+                    print(f"lint: {top}, {package}, {lanes[0]}x{lanes[1]}:\n{output}")
                     faults += 1
     seen = set().union(*(reached(root, top) for top in TOPS))
     for path in sorted(root.glob("hs_*.sv")):

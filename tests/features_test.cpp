@@ -3,7 +3,8 @@
 // is not there is in no word, no package and no file.
 #include <gtest/gtest.h>
 
-#include <fmt/format.h>
+#include <fstream>
+#include <sstream>
 
 #include "ref/error.hpp"
 #include "tests/feature_configs.hpp"
@@ -149,6 +150,28 @@ TYPED_TEST(Features, NoWordHasWhatIsNotThere) {
                                                 "planes.r_dx:22 pixel.r:8"
                                               : " triangle.r:8 attributes.r:8 planes.r:8 pixel.r:8");
   EXPECT_EQ(reciprocals, is_gouraud(this->config) ? " attributes.shift attributes.reciprocal" : "");
+}
+
+// Benches and synthesis take it from there.
+TYPED_TEST(Features, PackageHasNoTypeOfWhatIsNotThere) {
+  const std::string text = vectors::formats_package(this->configuration);
+  const auto has = [&](const char* part) { return text.find(part) != std::string::npos; };
+  EXPECT_EQ(has("HasDepth = 1;"), has_depth(this->config));
+  EXPECT_EQ(has("Gouraud = 1;"), is_gouraud(this->config));
+  EXPECT_EQ(has("DepthBits = 18;"), has_depth(this->config));
+  EXPECT_EQ(has("depth"), has_depth(this->config));
+  EXPECT_EQ(has("colour_gradient_t"), is_gouraud(this->config));
+  EXPECT_EQ(has("r_dx"), is_gouraud(this->config));
+  EXPECT_EQ(has("reciprocal_t"), has_planes(this->config));
+  EXPECT_EQ(has("ReciprocalBits = 0;"), !has_planes(this->config));
+}
+
+// feature_configs.hpp, for the compiler, and tests/configs/*.toml, for the benches, are the same.
+TYPED_TEST(Features, FileIsTheHeader) {
+  std::ifstream file(std::string(HALFSPACE_SOURCE) + "/tests/configs/" + this->config.name + ".toml");
+  std::ostringstream text;
+  text << file.rdbuf();
+  EXPECT_EQ(text.str(), vectors::configuration_toml(this->configuration));
 }
 
 TYPED_TEST(Features, FileReadsBack) {

@@ -44,7 +44,8 @@ TEST(Tops, HaveRoomForEveryField) {
 }
 
 TEST(Tops, RenderTheStandardFrames) {
-  const ref::RasterFormat format = vectors::raster_format(F::config().name);
+  const vectors::Configuration configuration(F::config().name, F::config());
+  const ref::RasterFormat format = vectors::raster_format(configuration);
   std::vector<vectors::NamedFrame> frames = vectors::corner_frames(format);
   for (auto& frame : vectors::random_frames(format, 3, 3, 30)) frames.push_back(std::move(frame));
   auto buffers = std::make_unique<Buffers<F>>();
@@ -52,14 +53,16 @@ TEST(Tops, RenderTheStandardFrames) {
   std::size_t covered = 0;
   for (const vectors::NamedFrame& named : frames) {
     const ref::SnappedList& scene = named.scene;
-    const ref::Frame expected = vectors::make_engine(format.name, F::kLanes)->render(scene);
+    const ref::Frame expected = vectors::make_engine(configuration, F::kLanes)->render(scene);
     for (std::size_t k = 0; k < scene.triangles.size(); ++k) {
       const ref::SnappedTriangle& t = scene.triangles[k];
       std::int64_t triangle[kTriangleFields] = {k + 1 == scene.triangles.size(), std::int64_t(k + 1)};
       for (int v = 0; v < 3; ++v) {
-        triangle[2 + v] = t.x[v], triangle[5 + v] = t.y[v], triangle[8 + v] = t.depth[v];
-        for (int c = 0; c < 3; ++c) triangle[11 + 3 * c + v] = t.rgb[v][c];
+        triangle[2 + v] = t.x[v], triangle[5 + v] = t.y[v];
+        if (F::kHasDepth) triangle[8 + v] = t.depth[v];
+        for (int c = 0; c < 3 && F::kGouraud; ++c) triangle[8 + kVertexDepths + 3 * c + v] = t.rgb[v][c];
       }
+      for (int c = 0; c < 3 && !F::kGouraud; ++c) triangle[8 + kVertexDepths + c] = t.rgb[0][c];
       std::int64_t setup[kSetupFields], attributes[kAttributesFields], planes[kPlanesFields], visible[kVisibleFields];
       if (triangle_setup_top(scene.width, scene.height, triangle, setup, attributes)) {
         shade_setup_top(attributes, planes);

@@ -32,7 +32,7 @@ const std::vector<ConfigField>& config_fields() {
   return fields;
 }
 
-const char* const kShadingWhat = "or \"flat\": a triangle has the colour of its first vertex";
+const char* const kShadingWhat = "\"gouraud\", or \"flat\": a triangle has the colour of its first vertex";
 
 const char* shading_name(Shading shading) { return shading == Shading::kFlat ? "flat" : "gouraud"; }
 

@@ -39,7 +39,12 @@ std::string record(const Layout& layout) {
 std::string formats_package(const Configuration& configuration) {
   const Config c = configuration.config();
   const FormatTable t = format_table(c);
+  // What is not there has no bits and no type.
+  const bool depth = has_depth(c), gouraud = is_gouraud(c), planes = has_planes(c);
+  const auto bits = [](bool there, const NumberFormat& format) { return there ? format.width : 0; };
   const std::pair<const char*, int> constants[] = {
+      {"HasDepth", depth},
+      {"Gouraud", gouraud},
       {"MaxWidth", c.width},
       {"MaxHeight", c.height},
       {"Triangles", c.triangles},
@@ -53,31 +58,35 @@ std::string formats_package(const Configuration& configuration) {
       {"EdgeBits", t.edge.width},
       {"EdgeStepBits", t.edge_step.width},
       {"ReciprocalFraction", c.reciprocal_bits},
-      {"ReciprocalBits", t.reciprocal.width},
-      {"ShiftBits", t.shift.width},
+      {"ReciprocalBits", bits(planes, t.reciprocal)},
+      {"ShiftBits", bits(planes, t.shift)},
       {"SetupInterval", setup_interval(c)},
-      {"DepthBits", t.depth.width},
+      {"DepthBits", c.depth_bits},
       {"DepthFraction", c.depth_fraction},
-      {"DepthPlaneBits", t.depth_plane.width},
+      {"DepthPlaneBits", bits(depth, t.depth_plane)},
       {"ColourBits", t.colour.width},
       {"ColourFraction", c.colour_fraction},
-      {"ColourPlaneBits", t.colour_plane.width}};
-  const std::pair<const char*, NumberFormat> types[] = {
-      {"x", t.x},
-      {"y", t.y},
-      {"index", t.index},
-      {"coord", t.coord},
-      {"delta", t.delta},
-      {"area", t.area},
-      {"edge_step", t.edge_step},
-      {"reciprocal", t.reciprocal},
-      {"shift", t.shift},
-      {"depth", t.depth},
-      {"depth_plane", t.depth_plane},
-      {"depth_gradient", t.depth_gradient},
-      {"colour", t.colour},
-      {"colour_plane", t.colour_plane},
-      {"colour_gradient", t.colour_gradient}};
+      {"ColourPlaneBits", t.colour_plane.width}};  // flat: the colour's
+  struct Type {
+    const char* name;
+    NumberFormat format;
+    bool is_there;
+  };
+  const Type types[] = {{"x", t.x, true},
+                        {"y", t.y, true},
+                        {"index", t.index, true},
+                        {"coord", t.coord, true},
+                        {"delta", t.delta, true},
+                        {"area", t.area, true},
+                        {"edge_step", t.edge_step, true},
+                        {"reciprocal", t.reciprocal, planes},
+                        {"shift", t.shift, planes},
+                        {"depth", t.depth, depth},
+                        {"depth_plane", t.depth_plane, depth},
+                        {"depth_gradient", t.depth_gradient, depth},
+                        {"colour", t.colour, true},
+                        {"colour_plane", t.colour_plane, gouraud},
+                        {"colour_gradient", t.colour_gradient, gouraud}};
 
   std::string text = fmt::format(
       "// SPDX-License-Identifier: Apache-2.0\n"
@@ -87,7 +96,9 @@ std::string formats_package(const Configuration& configuration) {
       configuration.name());
   for (const auto& [name, value] : constants) text += fmt::format("  localparam int unsigned {} = {};\n", name, value);
   text += "\n";
-  for (const auto& [name, format] : types) text += fmt::format("  typedef {}{}_t;\n", range(format.width, format.is_signed), name);
+  for (const Type& type : types) {
+    if (type.is_there) text += fmt::format("  typedef {}{}_t;\n", range(type.format.width, type.format.is_signed), type.name);
+  }
   text += "\n";
   // Any number of lanes would do: nothing printed depends on it.
   for (const Layout& layout : make_engine(configuration, 2)->layouts()) text += record(layout);

@@ -3,6 +3,8 @@
 // and hls/records.hpp: change those, not this file.
 package hs_formats_pkg;
 
+  localparam int unsigned HasDepth = 1;
+  localparam int unsigned Gouraud = 1;
   localparam int unsigned MaxWidth = 1920;
   localparam int unsigned MaxHeight = 1080;
   localparam int unsigned Triangles = 262144;

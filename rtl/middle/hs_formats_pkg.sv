@@ -3,6 +3,8 @@
 // and hls/records.hpp: change those, not this file.
 package hs_formats_pkg;
 
+  localparam int unsigned HasDepth = 1;
+  localparam int unsigned Gouraud = 1;
   localparam int unsigned MaxWidth = 640;
   localparam int unsigned MaxHeight = 480;
   localparam int unsigned Triangles = 16384;

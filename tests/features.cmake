@@ -1,0 +1,55 @@
+# One configuration with its features taken away (feature_configs.hpp, configs/*.toml): the tops, the units and the pipeline
+# of the RTL, what Yosys finds in it, and the cycles of the triangle setup.
+target_compile_definitions(features_test PRIVATE HALFSPACE_SOURCE="${PROJECT_SOURCE_DIR}")
+
+file(GLOB tops CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/hls/top/*_top.cpp)
+foreach(config IN ITEMS GouraudOnly FlatDepth FlatOnly)
+  add_library(tops_${config} OBJECT EXCLUDE_FROM_ALL ${tops})
+  set_target_properties(tops_${config} PROPERTIES CXX_STANDARD 14 UNITY_BUILD ON)
+  add_executable(tops_test_${config} EXCLUDE_FROM_ALL tops_test.cpp $<TARGET_OBJECTS:tops_${config}>)
+  target_link_libraries(tops_test_${config} PRIVATE halfspace_vectors GTest::gtest_main)
+  foreach(target IN ITEMS tops_${config} tops_test_${config})
+    target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
+    target_compile_options(${target} PRIVATE -include ${CMAKE_CURRENT_SOURCE_DIR}/feature_configs.hpp)
+    target_compile_definitions(${target} PRIVATE HALFSPACE_TOP_CONFIG=${config})
+    halfspace_warnings(${target})
+  endforeach()
+  add_dependencies(all_tests tops_test_${config})
+  add_test(NAME tops_test_${config} COMMAND tops_test_${config} --gtest_brief=1)
+endforeach()
+
+foreach(name IN ITEMS gouraud_only flat_depth flat_only)
+  halfspace_cosim_file(${name} 4 units)
+  halfspace_cosim_file(${name} 1 pipeline)
+endforeach()
+halfspace_cosim_file(flat_only 4 pipeline)
+
+set(packages "")
+foreach(name IN ITEMS gouraud_only flat_depth flat_only)
+  list(APPEND packages --package ${CMAKE_CURRENT_BINARY_DIR}/model_pipeline_${name}_1/hs_formats_pkg.sv)
+endforeach()
+add_test(NAME lint_features COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tb/lint.py --verilator ${HALFSPACE_VERILATOR}
+         ${packages})
+
+set(interval_tool ${CMAKE_CURRENT_SOURCE_DIR}/interval_test.py)
+foreach(name IN ITEMS gouraud_only flat_depth flat_only)
+  set(model ${CMAKE_CURRENT_BINARY_DIR}/model_units_${name}_4)
+  add_test(NAME interval_${name} COMMAND Python3::Interpreter ${interval_tool} $<TARGET_FILE:halfspace> ${model}/bench
+           ${model}/hs_formats_pkg.sv ${CMAKE_CURRENT_SOURCE_DIR}/configs/${name}.toml 4 ${CMAKE_CURRENT_BINARY_DIR}/interval_${name})
+endforeach()
+add_test(NAME interval_middle COMMAND Python3::Interpreter ${interval_tool} $<TARGET_FILE:halfspace>
+         $<TARGET_FILE:tb_units_middle_1> ${PROJECT_SOURCE_DIR}/rtl/middle/hs_formats_pkg.sv middle 1
+         ${CMAKE_CURRENT_BINARY_DIR}/interval_middle)
+
+# Multipliers and memories that are left: one multiplier makes the edges, one a depth plane, two the colour planes (their
+# factors are cut), six shade; seven memories without a Z-buffer.
+function(halfspace_features_left name multipliers memories)
+  set(package ${CMAKE_CURRENT_BINARY_DIR}/model_pipeline_${name}_1/hs_formats_pkg.sv)
+  file(GLOB units CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/rtl/hs_*.sv)
+  string(REPLACE ";" " " sources "${package};${units}")
+  add_test(NAME synthesis_${name} COMMAND ${HALFSPACE_YOSYS} -q -p
+    "read_verilog -sv ${sources}; hierarchy -check -top hs_pipeline -chparam LanesX 1 -chparam LanesY 1; proc; opt; check -assert; flatten; opt; memory_collect; select -assert-count ${multipliers} t:$mul; select -assert-count ${memories} t:$mem_v2; select -assert-none t:$div t:$mod")
+endfunction()
+halfspace_features_left(gouraud_only 9 7)
+halfspace_features_left(flat_depth 2 8)
+halfspace_features_left(flat_only 1 7)

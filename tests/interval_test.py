@@ -1,0 +1,57 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Holds SetupInterval of a package to the cycles that hs_triangle_setup takes for triangles of either winding.
+Usage: interval_test.py HALFSPACE BENCH PACKAGE CONFIG LANES FOLDER"""
+import json
+import math
+import pathlib
+import random
+import re
+import subprocess
+import sys
+
+TRIANGLES = 100
+LATENCY = 60  # of the first and the last one
+
+
+def triangles(clockwise):
+    """Small ones, each over some pixels of a frame of 100x100: D > 0 if clockwise, as rows go downward."""
+    draw = random.Random(1)
+    lines = ["size 100 100"]
+    for _ in range(TRIANGLES):
+        x, y, turn = draw.uniform(5, 95), draw.uniform(5, 95), draw.uniform(0, math.tau)
+        corners = [(x + 3 * math.cos(turn + k * math.tau / 3), y + 3 * math.sin(turn + k * math.tau / 3)) for k in range(3)]
+        lines.append("t" + "".join(f" {a} {b} 0.5 9 9 9" for a, b in (corners if clockwise else corners[::-1])))
+    return "\n".join(lines) + "\n"
+
+
+def cycles(halfspace, bench, config, lanes, folder, clockwise):
+    scene, report = folder / "triangles.tri", folder / "report.json"
+    scene.write_text(triangles(clockwise))
+    subprocess.run([halfspace, "vectors", scene, "--config", config, "--lanes", lanes, "--no-corners", "--out", folder],
+                   check=True, stdout=subprocess.DEVNULL)
+    subprocess.run([bench, folder, "--unit", "triangle_setup", "--stall", "0", "--json", report], check=True,
+                   stdout=subprocess.DEVNULL)
+    (run,) = json.loads(report.read_text())["runs"]
+    assert run["words"] == 2 * TRIANGLES and run["mismatches"] == 0, run
+    return run["cycles"]
+
+
+def main():
+    halfspace, bench, package, config, lanes, folder = sys.argv[1:]
+    folder = pathlib.Path(folder)
+    folder.mkdir(parents=True, exist_ok=True)
+    interval = int(re.search(r"SetupInterval = (\d+);", pathlib.Path(package).read_text()).group(1))
+    for clockwise in (True, False):
+        taken = cycles(halfspace, bench, config, lanes, folder, clockwise)
+        low = TRIANGLES * interval
+        high = low + (0 if clockwise else TRIANGLES) + LATENCY
+        print(f"{'D > 0' if clockwise else 'D < 0'}: {taken} cycles for {TRIANGLES} triangles, SetupInterval {interval}")
+        if not low <= taken <= high:
+            print(f"not {low} to {high}")
+            return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
