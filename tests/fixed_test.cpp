@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The number type against integers of 128 bits: every operator exact, every assignment a floor and a wrap.
+// The numbers against integers of 128 bits: every operator exact, every assignment a floor and a wrap. Compiled for
+// each kind of numbers that fixed.hpp knows.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -43,6 +44,16 @@ void expect_pair(std::mt19937_64& random) {
   }
 }
 
+template <class To, class From>
+void expect_conversion(std::mt19937_64& random) {
+  for (int n = 0; n < 3000; ++n) {
+    // Trailing zeros, because whole words of them are a special case in libraries.
+    const From x = from_raw<From>(random() << (n % 4 * 16));
+    const To y = x;
+    ASSERT_EQ(Wide(raw(y)), floor_wrap(scaled(x), To::kWidth, To::kFraction, To::kSigned));
+  }
+}
+
 template <class A, class B>
 void expect_order(std::mt19937_64& random) {
   for (int n = 0; n < 3000; ++n) {
@@ -51,7 +62,9 @@ void expect_order(std::mt19937_64& random) {
     ASSERT_EQ(a < b, scaled(a) < scaled(b));
     ASSERT_EQ(a <= b, scaled(a) <= scaled(b));
     ASSERT_EQ(a == b, scaled(a) == scaled(b));
+    ASSERT_EQ(a > b, scaled(a) > scaled(b));
     ASSERT_EQ(a >= b, scaled(a) >= scaled(b));
+    ASSERT_EQ(a != b, scaled(a) != scaled(b));
   }
 }
 
@@ -67,6 +80,45 @@ TEST(Fixed, IsExactAndWraps) {
   expect_pair<ufix<31, 0>, ufix<31, 31>>(random);
   expect_order<fix<18, 10>, fix<31, 20>>(random);
   expect_order<ufix<24, 24>, ufix<24, 8>>(random);
+  expect_order<fix<62, 40>, fix<62, 40>>(random);
+  expect_pair<fix<63, 40>, ufix<1, 1>>(random);
+  expect_pair<fix<32, 16>, fix<31, 31>>(random);
+}
+
+TEST(Fixed, ConvertsTheWidest) {
+  std::mt19937_64 random(3);
+  expect_conversion<fix<64, 64>, ufix<64, 64>>(random);
+  expect_conversion<ufix<64, 64>, fix<64, 32>>(random);
+  expect_conversion<ufix<64, 40>, fix<64, 64>>(random);
+  expect_conversion<fix<33, 33>, ufix<64, 32>>(random);
+  expect_conversion<ufix<1, 1>, fix<64, 64>>(random);
+  expect_conversion<fix<64, 32>, fix<1, 1>>(random);
+}
+
+TEST(Fixed, HoldsItsBits) {
+  std::mt19937_64 random(4);
+  using Signed = fix<64, 20>;
+  using Unsigned = ufix<64, 64>;
+  for (int n = 0; n < 2000; ++n) {
+    const std::uint64_t bits = random() << (n % 4 * 16);
+    ASSERT_EQ(raw(from_raw<Unsigned>(bits)), bits);
+    ASSERT_EQ(raw(from_raw<Signed>(bits)), std::int64_t(bits));
+    // Bits beyond the width are dropped.
+    ASSERT_EQ(raw(from_raw<ufix<5, 2>>(bits)), bits % 32);
+    ASSERT_EQ(raw(from_raw<fix<5, 2>>(bits)), std::int64_t(bits << 59) >> 59);
+  }
+  struct Record {
+    fix<20, 8> x;
+    ufix<40, 40> y[3];
+  };
+  Record zero{};
+  EXPECT_EQ(raw(zero.x), 0);
+  for (const auto& y : zero.y) EXPECT_EQ(raw(y), 0u);
+  zero.y[1] = from_raw<ufix<40, 40>>(7);
+  const Record copy = zero;
+  zero = Record{};
+  EXPECT_EQ(raw(copy.y[1]), 7u);
+  EXPECT_EQ(raw(zero.y[1]), 0u);
 }
 
 TEST(Fixed, Negates) {

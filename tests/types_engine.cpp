@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/types_engine.hpp"
+
+#include "hls/configs/high.hpp"
+#include "hls/configs/low.hpp"
+#include "hls/configs/middle.hpp"
+#include "tests/feature_configs.hpp"
+#include "vectors/engine_impl.hpp"
+
+#if defined(HALFSPACE_TYPES_SYSTEMC)
+#define HS_MAKE_ENGINE make_systemc_engine
+#elif defined(HALFSPACE_TYPES_AP)
+#define HS_MAKE_ENGINE make_ap_engine
+#elif defined(HALFSPACE_TYPES_AC)
+#define HS_MAKE_ENGINE make_ac_engine
+#endif
+
+namespace halfspace::tests {
+namespace {
+
+// Names of this file alone: whatever a kernel instantiates with them is its own, and no other object's of the same name
+// on other numbers is taken for it.
+struct OwnLow : Low {};
+struct OwnMiddle : Middle {};
+struct OwnHigh : High {};
+struct OwnFlatOnly : FlatOnly {};
+
+template <class C>
+std::unique_ptr<vectors::Engine> make() {
+  static_assert(Stamp4::kX * Stamp4::kY == kTypesLanes, "the lanes that the header promises");
+  return std::make_unique<vectors::KernelEngine<Formats<C, Stamp4>>>();
+}
+
+}  // namespace
+
+std::unique_ptr<vectors::Engine> HS_MAKE_ENGINE(const std::string& config) {
+  return config == Low::config().name        ? make<OwnLow>()
+         : config == Middle::config().name   ? make<OwnMiddle>()
+         : config == High::config().name     ? make<OwnHigh>()
+         : config == FlatOnly::config().name ? make<OwnFlatOnly>()
+                                             : nullptr;
+}
+
+}  // namespace halfspace::tests

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// The kernels of the named configurations, and of one without depth and gradients, with 4 lanes, on the numbers that
+// types_engine.cpp was compiled with. It is compiled once for each library, and the objects may stand in one program.
+#ifndef HALFSPACE_TESTS_TYPES_ENGINE_HPP_
+#define HALFSPACE_TESTS_TYPES_ENGINE_HPP_
+
+#include <memory>
+#include <string>
+
+#include "vectors/engine.hpp"
+
+namespace halfspace::tests {
+
+constexpr int kTypesLanes = 4;
+
+std::unique_ptr<vectors::Engine> make_systemc_engine(const std::string& config);
+std::unique_ptr<vectors::Engine> make_ap_engine(const std::string& config);
+std::unique_ptr<vectors::Engine> make_ac_engine(const std::string& config);
+
+}  // namespace halfspace::tests
+
+#endif  // HALFSPACE_TESTS_TYPES_ENGINE_HPP_

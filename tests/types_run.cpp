@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// The standard vectors from kernels on the numbers of a library, held against the committed manifests, which the native
+// kernels wrote: prints the digest of each stream. A configuration that has no manifest is held against the native
+// kernels with formats read at run time. Usage: types_run MANIFESTS FOLDER
+// FOLDER takes the vectors, for `halfspace compare` when they differ.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "ref/error.hpp"
+#include "tests/feature_configs.hpp"
+#include "tests/types_engine.hpp"
+#include "vectors/standard_set.hpp"
+
+#if defined(HALFSPACE_TYPES_SYSTEMC)
+#define HS_MAKE_ENGINE make_systemc_engine
+#elif defined(HALFSPACE_TYPES_AP)
+#define HS_MAKE_ENGINE make_ap_engine
+#elif defined(HALFSPACE_TYPES_AC)
+#define HS_MAKE_ENGINE make_ac_engine
+#endif
+
+namespace halfspace::vectors {
+
+// In the place of the native engines: write_vector_set() finds this one first. An object of the library that defines it
+// again would be an error of the linker.
+std::unique_ptr<Engine> make_engine(const Configuration& configuration, int) {
+  return tests::HS_MAKE_ENGINE(configuration.name());
+}
+
+}  // namespace halfspace::vectors
+
+namespace halfspace::tests {
+namespace {
+
+using nlohmann::json;
+
+constexpr int kStreams = 9;
+
+std::vector<vectors::NamedFrame> standard_frames(const vectors::Configuration& configuration) {
+  const ref::RasterFormat format = vectors::raster_format(configuration);
+  std::vector<vectors::NamedFrame> frames = vectors::corner_frames(format);
+  for (auto& frame : vectors::random_frames(format, 1, 4, 60)) frames.push_back(std::move(frame));
+  return frames;
+}
+
+// Both return how many streams are equal.
+int expect_manifest(const vectors::Configuration& configuration, const std::filesystem::path& manifests,
+                    const std::string& folder) {
+  const json written = json::parse(vectors::write_vector_set(folder, {"standard", configuration, kTypesLanes, 1},
+                                                             standard_frames(configuration), nullptr));
+  const std::filesystem::path path = manifests / (configuration.name() + ".json");
+  std::ifstream file(path);
+  const json committed = json::parse(file);
+  if (written["frames"] != committed["frames"] || written["streams"].size() != committed["streams"].size()) {
+    throw ref::Error(fmt::format("{}: it is not of these frames: vector_set_test tells how to write it again",
+                                 path.string()));
+  }
+  int equal = 0;
+  for (std::size_t n = 0; n < written["streams"].size(); ++n) {
+    const json& stream = written["streams"][n];
+    const bool same = stream == committed["streams"][n];
+    fmt::print("{:6} {:10} {:6} words {} {}\n", configuration.name(), stream["name"].get<std::string>(),
+               stream["words"].get<int>(), stream["sha256"].get<std::string>(), same ? "equal" : "DIFFERENT");
+    equal += same;
+  }
+  return equal;
+}
+
+int expect_native(const vectors::Configuration& configuration) {
+  const Config config = configuration.config();
+  const std::vector<vectors::NamedFrame> frames = standard_frames(configuration);
+  using Texts = std::map<std::string, std::string>;
+  const auto streams_of = [&](vectors::Engine& engine) {
+    Texts texts;
+    for (const vectors::NamedFrame& frame : frames) {
+      engine.capture(frame.scene, [&](const vectors::Layout& layout, const vectors::Word* words, std::size_t count) {
+        for (std::size_t n = 0; n < count; ++n) vectors::append_hex(texts[layout.stream] += ' ', words[n], layout.bits);
+      });
+    }
+    return texts;
+  };
+  const Texts here = streams_of(*vectors::make_engine(configuration, kTypesLanes));
+  Texts native = streams_of(*vectors::make_runtime_engine(config, format_table(config), kTypesLanes));
+  int equal = 0;
+  for (const auto& [stream, words] : here) {
+    const bool same = words == native[stream];
+    fmt::print("{:6} {:10} {:6} words {}\n", configuration.name(), stream, std::count(words.begin(), words.end(), ' '),
+               same ? "equal" : "DIFFERENT");
+    equal += same;
+  }
+  return equal;
+}
+
+}  // namespace
+}  // namespace halfspace::tests
+
+int main(int argc, char** argv) {
+  using namespace halfspace;
+  if (argc != 3) return fmt::print(stderr, "usage: types_run MANIFESTS FOLDER\n"), 2;
+  try {
+    int equal = tests::expect_native(vectors::Configuration(FlatOnly::config().name, FlatOnly::config()));
+    for (const vectors::Configuration& configuration : vectors::named_configurations()) {
+      equal += tests::expect_manifest(configuration, argv[1], fmt::format("{}/{}", argv[2], configuration.name()));
+    }
+    const int streams = tests::kStreams * int(vectors::named_configurations().size() + 1);
+    fmt::print("{} of {} streams are equal to the native ones\n", equal, streams);
+    return equal == streams ? 0 : 1;
+  } catch (const std::exception& error) {
+    return fmt::print(stderr, "types_run: {}\n", error.what()), 1;
+  }
+}
