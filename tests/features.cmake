@@ -24,6 +24,13 @@ foreach(name IN ITEMS gouraud_only flat_depth flat_only)
 endforeach()
 halfspace_cosim_file(flat_only 4 pipeline)
 
+add_test(NAME faults_flat COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tb/faults/run.py
+  --faults ${PROJECT_SOURCE_DIR}/tb/faults/flat.txt --config ${CMAKE_CURRENT_SOURCE_DIR}/configs/flat_only.toml
+  --package ${CMAKE_CURRENT_BINARY_DIR}/model_units_flat_only_4/hs_formats_pkg.sv --halfspace $<TARGET_FILE:halfspace>
+  --work ${CMAKE_CURRENT_BINARY_DIR}/faults_flat --jobs 2 --library $<TARGET_FILE:halfspace_tb>
+  --library $<TARGET_FILE:halfspace_verilated> --verilator ${HALFSPACE_VERILATOR} --cxx ${CMAKE_CXX_COMPILER})
+set_tests_properties(faults_flat PROPERTIES PROCESSORS 2 TIMEOUT 1800)
+
 set(packages "")
 foreach(name IN ITEMS gouraud_only flat_depth flat_only)
   list(APPEND packages --package ${CMAKE_CURRENT_BINARY_DIR}/model_pipeline_${name}_1/hs_formats_pkg.sv)

@@ -86,7 +86,7 @@ def try_fault(args, fault):
     try:
         if fault:
             seed_fault(fault, work / "rtl")
-        bench = build(work / "rtl" / args.config / "hs_formats_pkg.sv", args.lanes, "hs_units", work / "model", args.library,
+        bench = build(args.package or work / "rtl" / args.config / "hs_formats_pkg.sv", args.lanes, "hs_units", work / "model", args.library,
                       rtl=work / "rtl", verilator=args.verilator, cxx=args.cxx)
         result = subprocess.run([bench, args.vectors, "--stall", "30", "--seed", "1"], capture_output=True, text=True,
                                 timeout=600)
@@ -114,7 +114,9 @@ def main():
     parser.add_argument("--library", type=pathlib.Path, action="append", required=True,
                         help="the harness and Verilator's library, in this order: --library A.a --library B.a")
     parser.add_argument("--rtl", type=pathlib.Path, default=TB.parent / "rtl")
-    parser.add_argument("--config", default="low")
+    parser.add_argument("--faults", type=pathlib.Path, default=HERE / "faults.txt", help="default: %(default)s")
+    parser.add_argument("--config", default="low", help="with --package: a .toml file")
+    parser.add_argument("--package", type=pathlib.Path, help="of a configuration that has none in rtl/")
     parser.add_argument("--lanes", type=int, default=4, choices=sorted(LANES_X))
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--only", help="regular expression of the names to try")
@@ -123,7 +125,7 @@ def main():
     parser.add_argument("--cxx", default="c++")
     args = parser.parse_args()
     try:
-        faults = read_faults(HERE / "faults.txt")
+        faults = read_faults(args.faults)
         if args.halfspace:
             args.vectors = args.work / "vectors"
             run([args.halfspace, "vectors", "standard", "--config", args.config, "--lanes", args.lanes,
