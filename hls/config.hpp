@@ -78,7 +78,7 @@ enum class Refusal {
   kReciprocalShort,     // a gradient keeps no more fraction bits than its reciprocal has
   kEdgeWord,            // an edge function, with the carry of its subtraction, is one machine word
   kNumeratorWord,       // so is the numerator of a gradient
-  kGradientWord,        // so are the halves of the product with the reciprocal
+  kGradientWord,        // so are the halves of the product with the reciprocal, and the half that rounds it
   kStartWord,           // so is the start of a plane
   kShadeWord,           // so is a colour gradient times a pixel coordinate
 };
@@ -121,6 +121,11 @@ constexpr Refusal refusal(const Config& c) {
   if (2 * position + 3 > 64) return Refusal::kEdgeWord;
   if (numerator + 2 > 64) return Refusal::kNumeratorWord;  // the sum of its two products, as types grow
   if (numerator - 24 + c.reciprocal_bits + 1 > 63 || 24 + c.reciprocal_bits + 1 > 63) return Refusal::kGradientWord;
+  // n of gradient_product, where D is largest: the half that is added is 2^(n−1).
+  const int n = 2 * position - 1 + c.reciprocal_bits - c.subpixel_bits;
+  if ((has_depth(c) && n - c.depth_fraction > 63) || (is_gouraud(c) && n - c.colour_fraction > 63)) {
+    return Refusal::kGradientWord;
+  }
   if (c.depth_bits + c.depth_fraction + c.subpixel_bits > 63 || c.colour_bits + c.colour_fraction + c.subpixel_bits > 63) {
     return Refusal::kStartWord;
   }

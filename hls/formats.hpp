@@ -45,7 +45,7 @@ constexpr FormatTable format_table(const Config& c) {
   // Steps are multiples of 2^f units, so the low f bits never change, and the sign of a number is the sign of its
   // floor: they are dropped once the bias is folded in.
   t.edge_step = {t.edge.width - f, t.edge.integer, true};
-  // R = round(2^(r+s) / D) with 2^s <= D < 2^(s+1): 2^(r−1) < R <= 2^r.
+  // R = round(2^(r+s) / D) with 2^s <= D < 2^(s+1): 2^(r−1) <= R <= 2^r.
   t.reciprocal = {c.reciprocal_bits + 1, 1, false};
   // s = floor(log2 D): 0 … 2c − 1.
   t.shift = {bits_for(t.area.width - 1), bits_for(t.area.width - 1), false};

@@ -86,6 +86,8 @@ TEST(Configuration, RefusesWithItsReason) {
   };
   for (const auto& [toml, sentence] : cases) EXPECT_NE(refusal_of(toml).find(sentence), std::string::npos) << refusal_of(toml);
   EXPECT_EQ(refusal_of(middle_with("lanes", "lanes = 16")), "accepted");
+  // The half that rounds a gradient of the largest triangle would be 2^66.
+  EXPECT_EQ(refusal(Config{"x", 100, 100, 100, 20, 10, 8, 8, 38, 21, 21, 1}), Refusal::kGradientWord);
 }
 
 TEST(Configuration, AtRunTimeGivesTheBitsOfTheCompiledKernels) {

@@ -21,7 +21,7 @@ const std::vector<FormatField>& format_fields() {
       {"signed_area", &T::signed_area, "2c + 1: before the winding is known", always},
       {"edge", &T::edge, "2c + 1: twice the area of (vertex, vertex, pixel centre), less one", always},
       {"edge_step", &T::edge_step, "2c + 1 − f: the low f bits never change", always},
-      {"reciprocal", &T::reciprocal, "r + 1: 2^(r−1) < R <= 2^r", has_planes},
+      {"reciprocal", &T::reciprocal, "r + 1: 2^(r−1) <= R <= 2^r", has_planes},
       {"shift", &T::shift, "floor(log2 D), 0 … 2c − 1", has_planes},
       {"depth", &T::depth, "b of depth", has_depth},
       {"depth_plane", &T::depth_plane, "b + g: modulo 2^b, as the error is below ½", has_depth},
