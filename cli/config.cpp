@@ -35,7 +35,9 @@ void print_table(const std::vector<Configuration>& configurations, bool markdown
   auto row = [&](const std::string& first, const std::vector<std::string>& cells, const std::string& why) {
     std::string line = markdown ? "| " + first : fmt::format("{:<22}", first);
     for (const std::string& cell : cells) line += markdown ? " | " + cell : fmt::format(" {:>12}", cell);
-    line += markdown ? " | " + why + " |" : "  " + why;
+    std::string reason = why;
+    for (std::size_t at = 0; markdown && (at = reason.find('|', at)) != std::string::npos; at += 2) reason.insert(at, "\\");
+    line += markdown ? " | " + reason + " |" : "  " + reason;
     fmt::print("{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
   };
   std::vector<std::string> names, rule;

@@ -54,7 +54,7 @@ TEST(RasterPineda, CoversTheLatticeExactlyWithSixteenLanes) { expect_lattice<For
 template <class F>
 SnappedTriangle adversarial(std::mt19937_64& random, int kind, int width, int height) {
   const int one = 1 << F::kSubpixelBits;
-  const int limit = 1 << (F::kCoordBits - 1);
+  const int limit = 1 << (F::table().coord.width - 1);
   auto in = [&](std::int64_t low, std::int64_t high) {
     return int(low + std::int64_t(random() % std::uint64_t(high - low + 1)));
   };
