@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is measured: hs_pipeline as Yosys elaborates it for a package and a number of lanes, taken apart.
+
+The parts are the units, and `composition`: all that hs_pipeline adds to them (queues, frame control, the multiplexers
+of the I-buffer). Each part is a flat module in RTLIL in which nothing is left of a file's place, of its line numbers, or
+of the numbers that Yosys counts up: so a part has the same text whenever it is the same hardware.
+"""
+
+import dataclasses
+import pathlib
+import random
+import re
+import tempfile
+
+from tools import AreaError, run, say
+
+UNITS = ("triangle_setup", "shade_setup", "raster_pineda", "ztest_index", "scan_index", "shade_gouraud")
+COMPOSITION = "composition"
+TOP = "part"  # the module of a part in its text
+# Memories of the frame, which an FPGA may hold elsewhere: they are counted in bits, not mapped.
+BUFFERS = ("depth_buffer", "index_buffer", "shading_database")
+LANES = {1: (1, 1), 2: (2, 1), 4: (2, 2), 8: (4, 2), 16: (4, 4)}
+
+
+@dataclasses.dataclass
+class Part:
+    name: str
+    text: str           # RTLIL; the modules it stands on are black boxes
+    ports: list         # (name, width, direction)
+    memories: list      # (words, width) of each memory declared
+
+    @property
+    def memory_bits(self):
+        return sum(words * width for words, width in self.memories)
+
+
+@dataclasses.dataclass
+class Design:
+    package: str
+    config: str
+    lanes: int
+    parts: dict         # name -> Part
+    buffers: dict       # name -> [(words, width)]
+
+
+def elaborate(yosys, rtl, package, lanes, units):
+    """The Design of one package file and one number of lanes, with these units and the composition."""
+    package, rtl = pathlib.Path(package), pathlib.Path(rtl).resolve()
+    try:
+        text = package.read_text()
+    except (OSError, UnicodeDecodeError) as error:
+        raise AreaError(f"cannot read the package {package} ({getattr(error, 'strerror', None) or 'not text'}): "
+                        "print one with `halfspace package`") from None
+    named = re.search(r"Number formats of configuration `([^`]+)`", text)
+    if not named or "package hs_formats_pkg" not in text:
+        raise AreaError(f"{package} is not a package of number formats: print one with `halfspace package`")
+    title = f"{package}, {lanes} lane{'s' * (lanes > 1)}"
+    say(f"{title}: elaboration")
+    # A unit is elaborated alone, with nothing read but what it stands on: how Yosys names and orders depends on all that
+    # it has read before.
+    parts = {}
+    for unit in units:
+        bodies = flatten(yosys, rtl, package, f"hs_{unit}", lanes, title)
+        parts[unit] = part(unit, bodies, f"\\hs_{unit}")
+    # A module of its own for each instance: no queue shares the module of a memory of the frame.
+    keep = (f"uniquify; select -set memories {' '.join(f'hs_pipeline.u_{name}*' for name in BUFFERS)} "
+            f"{'%u ' * (len(BUFFERS) - 1)} A:hdlname=*hs_ram_1r1w %i; "
+            f"setattr -mod -set keep_hierarchy 1 @memories {' '.join(f'hs_pipeline.u_{name}' for name in UNITS)}; ")
+    bodies = flatten(yosys, rtl, package, "hs_pipeline", lanes, title, keep)
+    parts[COMPOSITION] = part(COMPOSITION, bodies, "\\hs_pipeline")
+    buffers = {}
+    for name, body in bodies.items():
+        if instance(name) in parts and instance(name) != COMPOSITION and ports(body) != parts[instance(name)].ports:
+            raise AreaError(f"{title}: hs_pipeline gives parameters to {name} that {__file__} does not")
+        if instance(name) in BUFFERS:
+            buffers.setdefault(instance(name), []).extend(memories(body))
+    if not buffers:
+        raise AreaError(f"{title}: hs_pipeline has no memories named {', '.join(BUFFERS)}: name them in {__file__}")
+    return Design(str(package), named.group(1), lanes, parts, buffers)
+
+
+def below(rtl, top):
+    """The sources of a module and all that it instantiates."""
+    found, waiting = {}, [top]
+    while waiting:
+        stem = waiting.pop()
+        path = rtl / f"{stem}.sv"
+        if stem not in found and path.exists():
+            found[stem] = path.read_text()
+            waiting += re.findall(r"^\s*(hs_\w+)\s+(?:#\s*\(|u_\w+)", found[stem], re.MULTILINE)
+    if top not in found:
+        raise AreaError(f"there is no {top}.sv in {rtl}: name the folder with --rtl")
+    return dict(sorted(found.items()))
+
+
+def flatten(yosys, rtl, package, top, lanes, title, keep=""):
+    """{name: RTLIL} of a module, flat but for the modules that the commands `keep` mark."""
+    sources = below(rtl, top)
+    lanes_x, lanes_y = LANES[lanes]
+    has_lanes = re.search(r"\bparameter\b.*\bLanesX\b", sources[top])
+    set_lanes = f"-chparam LanesX {lanes_x} -chparam LanesY {lanes_y}" if has_lanes else ""
+    with tempfile.TemporaryDirectory(prefix="halfspace-area-") as folder:
+        out = pathlib.Path(folder) / "flat.il"
+        script = (f'read_verilog -sv "{package.resolve()}" {" ".join(f"{stem}.sv" for stem in sources)}; '
+                  f"hierarchy -check -top {top} {set_lanes}; proc; chformal -remove; check -assert; {keep}"
+                  f'flatten; opt_clean; write_rtlil "{out}"')
+        run([yosys, "-q", "-p", script], title, cwd=rtl)
+        found = re.findall(r"^module (\S+)\n(.*?)^end$", out.read_text(), re.MULTILINE | re.DOTALL)
+    others = re.compile(r"^ *attribute (?!\\init |\\keep ).*\n", re.MULTILINE)  # than those that change what is mapped
+    return {name: others.sub("", body) for name, body in found}
+
+
+def part(name, bodies, top):
+    body = bodies[top]
+    boxes = sorted(cell for cell in set(re.findall(r"^  cell (\S+) ", body, re.MULTILINE)) if cell in bodies)
+    text = "".join(module(cell, bodies[cell], box=True) for cell in boxes) + module(f"\\{TOP}", body)
+    return Part(name, canonical(text), ports(body), memories(body))
+
+
+def memories(body):
+    found = re.findall(r"^  memory(?: width (\d+))?(?: size (\d+))?(?: offset \d+)? \S+$", body, re.MULTILINE)
+    return [(int(words or 1), int(width or 1)) for width, words in found]
+
+
+def instance(module_name):
+    """hs_pipeline.u_index_buffer.gen_bank[0].u_ram: index_buffer."""
+    path = module_name.split(".")
+    return re.sub(r"^u_", "", path[1]) if len(path) > 1 else COMPOSITION
+
+
+def ports(body):
+    found = re.findall(r"^  wire(?: width (\d+))?(?: \w+ \d+)*? (input|output) \d+(?: signed)? \\(\S+)$", body,
+                       re.MULTILINE)
+    return sorted((name, int(width or 1), direction) for width, direction, name in found)
+
+
+def module(name, body, box=False):
+    """The text of a module; of a black box its ports alone."""
+    if not box:
+        return f"module {name}\n{body}end\n"
+    lines = [line for line in body.splitlines(True) if re.match(r"  wire .*\b(?:input|output) \d+", line)]
+    return f"attribute \\blackbox 1\nmodule {name}\n{''.join(lines)}end\n"
+
+
+def statements(body):
+    """The statements of a module, each with its attributes."""
+    return re.findall(r"(?:^  attribute .*\n)*^  (?:cell .*\n(?:    .*\n)*  end|(?!attribute|cell).*)\n", body,
+                      re.MULTILINE)
+
+
+def canonical(text):
+    """The text with its own numbering of the names that Yosys made up, which hold a line and a counter.
+
+    Statements are sorted by name with numbers as numbers, so that a digit more changes nothing. Types of cells stay.
+    """
+    names, lines = {}, []
+    for head, body in re.findall(r"^(.*?^module .*?\n)(.*?)^end$", text, re.MULTILINE | re.DOTALL):
+        lines += [head.lstrip("\n"), *sorted(statements(body), key=natural), "end\n"]
+    return re.sub(r"(?<=\s)\$\S*[$\\]\S*", lambda found: names.setdefault(found.group(), f"$n${len(names)}"),
+                  "".join(lines))
+
+
+def reordered(text, seed):
+    """The text with the cells of TOP in the order of this seed; 0 leaves them as they are."""
+    found = re.search(rf"^module \\{TOP}\n(.*?)^end$", text, re.MULTILINE | re.DOTALL)
+    kinds = {"cell": [], "connect": [], "other": []}
+    for statement in statements(found.group(1)):
+        kind = re.match(r"(?:  attribute .*\n)*  (\w+)", statement).group(1)
+        kinds[kind if kind in kinds else "other"].append(statement)
+    if seed:
+        random.Random(seed).shuffle(kinds["cell"])
+    body = "".join([*kinds["other"], *kinds["cell"], *kinds["connect"]])
+    return text[:found.start(1)] + body + text[found.end(1):]
+
+
+def natural(statement):
+    """What is declared comes first; then by name (the last word of the line, but for connections), numbers as numbers."""
+    words = re.sub(r"^  attribute .*\n", "", statement, flags=re.MULTILINE).split("\n", 1)[0].split()
+    name = " ".join(words[1:]) if words[0] == "connect" else words[-1]
+    kind = ("parameter", "wire", "memory", "cell", "connect").index(words[0])
+    return kind, [(int(word), "") if word.isdigit() else (-1, word) for word in re.split(r"(\d+)", name)]
