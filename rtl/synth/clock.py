@@ -9,7 +9,7 @@ netlist that was counted.
 
 import json
 
-from design import TOP
+from rtlil import TOP
 from tools import AreaError, run
 
 DEVICE, PACKAGE = "hx8k", "ct256"

@@ -9,12 +9,12 @@ import tempfile
 
 import clock
 import netlist
-from design import TOP, reordered
+from rtlil import TOP, reordered
 from targets import TARGETS, counts
 from tools import Cache, run, say
 
 # The sources of this tool that a count depends on, and those that a clock does besides.
-RULES = ("cells", "netlist", "paths"), ("clock",)
+RULES = ("cells", "netlist", "paths", "rtlil"), ("clock",)
 
 
 @dataclasses.dataclass
@@ -82,7 +82,8 @@ class Runner:
         (folder / "part.il").write_text(job.part.text)
         run([*yosys, f'read_rtlil "{folder}/part.il"; {target.to_gates}; write_rtlil "{folder}/gates.il"'], job.title)
         gates = (folder / "gates.il").read_text()
-        (folder / "frame.v").write_text(clock.frame(job.part.ports))
+        if job.clock:
+            (folder / "frame.v").write_text(clock.frame(job.part.ports))
         script = []
         for number in range(self.args.tries):
             (folder / f"gates{number}.il").write_text(reordered(gates, number))

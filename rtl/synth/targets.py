@@ -5,7 +5,7 @@ import collections
 import dataclasses
 import re
 
-from design import TOP
+from rtlil import TOP
 
 
 @dataclasses.dataclass(frozen=True)
