@@ -12,7 +12,7 @@ ClipVertex cross(const ClipVertex& inner, const ClipVertex& outer, const ClipPla
   const double in = glm::dot(plane, inner.position), out = glm::dot(plane, outer.position);
   const double t = in / (in - out);
   return {inner.position + t * (outer.position - inner.position),
-          inner.colour + t * (outer.colour - inner.colour)};
+          inner.weights + t * (outer.weights - inner.weights)};
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace halfspace::ref {
 // A vertex before the division by w: the view volume is -w <= x, y <= w and 0 <= z <= w, y up.
 struct ClipVertex {
   glm::dvec4 position;
-  glm::dvec3 colour;
+  glm::dvec3 weights;  // of the vertices of the face that it is cut from
 };
 
 // Inside is dot(plane, position) >= 0.

@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// The geometry stage: from a scene to the triangles of a frame.
+// The geometry stage: from a scene to the triangles of a frame. Positions come first; lighting is asked for triangle by
+// triangle, so that it can wait until a triangle has turned out visible (deferred lighting).
 #ifndef HALFSPACE_REF_GEOMETRY_HPP_
 #define HALFSPACE_REF_GEOMETRY_HPP_
 
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "ref/clip.hpp"
+#include "ref/lighting.hpp"
 #include "ref/scene.hpp"
 #include "ref/triangle_list.hpp"
+#include "ref/viewpoint.hpp"
 
 namespace halfspace::ref {
 
@@ -15,9 +23,64 @@ struct View {
   double shift_x = 0, shift_y = 0;  // pixels that the picture is moved to the right and down, before it is clipped
 };
 
-// Transform, Phong lighting at the vertices, clipping, division, viewport, culling. Triangles come in the
-// order of instances, meshes and faces, each with the number of its face, which no view changes. Error when none is
-// left.
+// What a triangle of a frame is a part of.
+struct Origin {
+  std::uint32_t instance, triangle;           // of the scene, of its mesh
+  std::array<std::uint32_t, 3> corner;        // vertices of the mesh, counter-clockwise seen from outside
+  bool back;                                  // a two-sided one, seen from behind
+  std::array<glm::dvec3, 3> weights;          // of the corners at each of its vertices: (1, 0, 0), … unless it was clipped
+  std::array<double, 3> w;                    // of its vertices in clip space
+};
+
+// Transform, clipping, division, viewport, culling by the constructor; Phong lighting at the vertices on request. Triangles come
+// in the order of instances, meshes and faces, each with the number of its face, which no view changes. Error when none is
+// left. The scene outlives it.
+class Geometry {
+ public:
+  Geometry(const Scene&, const View&);
+
+  const TriangleList& positions() const { return list_; }  // all black
+  const std::vector<Origin>& origins() const { return origins_; }
+  const std::vector<Light>& lights() const { return lights_; }  // the scene's, or the headlight
+  const Viewpoint& viewpoint() const { return viewpoint_; }
+  const Material& material(std::size_t k) const;
+
+  // Of the vertices of triangle `k` (from 0 on), 0-255. A corner is lit once, however many triangles share it.
+  std::array<glm::dvec3, 3> colours(std::size_t k);
+  // The one of vertex 0.
+  glm::dvec3 colour(std::size_t k);
+  std::uint64_t lit_corners() const { return lit_corners_; }
+
+  // In the world, on the side that is seen, of length 1 unless the triangle was clipped.
+  std::array<glm::dvec3, 3> normals(std::size_t k) const;
+
+ private:
+  // A mesh in its place.
+  struct Placement {
+    glm::dmat3 cofactors;  // turn normals rightly under any scale, and mirrors too; and need no inverse
+    std::vector<glm::dvec3> front, back;  // colours of either side as far as they were asked for; else NaN
+  };
+  std::vector<ClipPlane> planes_around(double left, double right, double top, double bottom) const;
+  Light headlight() const;
+  void draw(std::uint32_t instance);
+  Vertex viewport(const glm::dvec4& clip) const;
+  bool faces_viewer(const std::array<Vertex, 3>&) const;
+  glm::dvec3 normal(const Origin&, std::uint32_t corner) const;
+  glm::dvec3 corner_colour(const Origin&, std::uint32_t corner);
+
+  const Scene& scene_;
+  const View view_;
+  const Viewpoint viewpoint_;
+  std::vector<Light> lights_;
+  std::vector<ClipPlane> frame_planes_, guard_planes_;
+  TriangleList list_;
+  std::vector<Origin> origins_;
+  std::vector<Placement> placements_;  // one an instance
+  std::uint32_t face_ = 0;             // of the scene, the one at hand
+  std::uint64_t lit_corners_ = 0;
+};
+
+// All of it at once.
 TriangleList project(const Scene&, const View&);
 
 }  // namespace halfspace::ref

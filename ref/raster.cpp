@@ -1,30 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ref/raster.hpp"
 
-#include <algorithm>
-
-#include "ref/plane.hpp"
+#include "ref/spans.hpp"
 
 namespace halfspace::ref {
 namespace {
 
-struct Span {
-  std::int64_t first, last;  // pixels, both included
-};
-
-// The pixels of a span whose centres have e + step * (pixel - span.first) >= 0. An empty span stays near the
-// frame, so that edge functions taken at it do not overflow.
-Span narrow(Span span, std::int64_t e, std::int64_t step) {
-  if (step > 0)
-    return {std::min(span.first + std::max<std::int64_t>(0, -floor_div(e, step)), span.last + 1), span.last};
-  if (step < 0)
-    return {span.first, std::max(std::min(span.last, span.first + floor_div(e, -step)), span.first - 1)};
-  return e >= 0 ? span : Span{span.first, span.first - 1};
-}
-
 class Raster {
  public:
-  explicit Raster(const SnappedList& list) : list_(list), one_(std::int64_t(1) << list.format.subpixel_bits) {
+  explicit Raster(const SnappedList& list) : list_(list), spans_(list.width, list.height, list.format.subpixel_bits) {
     const std::size_t pixels = std::size_t(list.width) * list.height;
     const std::uint32_t full = full_depth(list.format.depth_bits);
     const double scale = 255.0 / full_depth(colour_bits());
@@ -58,37 +42,18 @@ class Raster {
     if (!has_depth()) return Plane(t, {0, 0, 0});
     return Plane(t, {of.depth[0], of.depth[1], of.depth[2]});
   }
-  std::int64_t centre(std::int64_t pixel) const { return pixel * one_ + one_ / 2; }
-  // The pixels of a row (column) of `size` whose centres lie in [low, high].
-  Span pixels_between(std::int64_t low, std::int64_t high, int size) const {
-    const std::int64_t first = -floor_div(centre(0) - low, one_);
-    const std::int64_t last = floor_div(high - centre(0), one_);
-    return {std::max<std::int64_t>(first, 0), std::min<std::int64_t>(last, size - 1)};
-  }
+  std::int64_t centre(std::int64_t pixel) const { return spans_.centre(pixel); }
 
   void draw(std::uint32_t k) {
     const SnappedTriangle& snapped = list_.triangles[k - 1];
     const OrderedTriangle t(snapped);
-    if (t.area == 0) return;
     const Plane depth = depth_plane(t, snapped);
-    const auto [x_min, x_max] = std::minmax_element(t.x.begin(), t.x.end());
-    const auto [y_min, y_max] = std::minmax_element(t.y.begin(), t.y.end());
-    const Span columns = pixels_between(*x_min, *x_max, list_.width);
-    const Span rows = pixels_between(*y_min, *y_max, list_.height);
-    for (std::int64_t row = rows.first; row <= rows.last; ++row) {
-      // A row of a triangle is one span, so slivers cost rows and not the area of their bounding box.
-      Span span = columns;
-      for (int i = 0; i < 3; ++i) {
-        const std::int64_t step = (t.y[i] - t.y[(i + 1) % 3]) * one_;
-        span = narrow(span, t.edge(i, centre(span.first), centre(row)), step);
-      }
-      draw_span(k, depth, row, span);
-    }
+    spans_.of(t, [&](std::int64_t row, Span span) { draw_span(k, depth, row, span); });
   }
 
   void draw_span(std::uint32_t k, const Plane& depth, std::int64_t row, Span span) {
     Wide numerator = depth.numerator(centre(span.first), centre(row));
-    const Wide step = Wide(depth.step_x) * one_;
+    const Wide step = Wide(depth.step_x) * spans_.one();
     for (std::int64_t column = span.first; column <= span.last; ++column, numerator += step) {
       const std::size_t at = std::size_t(row) * list_.width + column;
       if (!has_depth()) {
@@ -132,7 +97,7 @@ class Raster {
   }
 
   const SnappedList& list_;
-  const std::int64_t one_;  // pixel, in units of positions
+  const Spans spans_;
   Frame frame_;
 };
 

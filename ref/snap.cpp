@@ -45,16 +45,16 @@ std::string remedy(const TriangleList& list, const std::vector<RasterFormat>& ot
   return "no configuration takes it, so make the frame or the scene smaller";
 }
 
-std::uint8_t snapped_colour(double value, int bits) {
-  return static_cast<std::uint8_t>(std::round(value * (full_depth(bits) / 255.0)));
-}
-
 }  // namespace
 
 // Scaling by 2^f is exact, so there is one rounding, in the mode the program starts in: to nearest, ties to
 // even.
 double snapped_position(double pixels, int subpixel_bits) {
   return std::nearbyint(std::ldexp(pixels, subpixel_bits));
+}
+
+std::uint8_t snapped_colour(double value, int bits) {
+  return static_cast<std::uint8_t>(std::round(value * (full_depth(bits) / 255.0)));
 }
 
 SnappedList snap(const TriangleList& list, const RasterFormat& format,

@@ -51,6 +51,9 @@ constexpr std::uint8_t displayed_colour(unsigned value, int bits) {
 // A position in units of 2^-f pixels, ties to even, still a double as it may be beyond any integer.
 double snapped_position(double pixels, int subpixel_bits);
 
+// A channel of 0 … 255 as `bits` of the hardware.
+std::uint8_t snapped_colour(double value, int bits);
+
 // Error when the frame, the number of triangles or a position is beyond `format`; it names the first of
 // `others` that takes the list.
 SnappedList snap(const TriangleList&, const RasterFormat&, const std::vector<RasterFormat>& others = {});

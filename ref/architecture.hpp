@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// The four architectures that index rendering compares: alpha, traditional; beta, deferred shading with a wide pixel buffer;
+// gamma, index rendering without a Z-buffer, the depth of what is stored computed again from TdbV; delta, index rendering with
+// a Z-buffer. They draw the same picture, and differ in what they light, read, write and store.
+#ifndef HALFSPACE_REF_ARCHITECTURE_HPP_
+#define HALFSPACE_REF_ARCHITECTURE_HPP_
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "ref/snap.hpp"
+#include "ref/surface.hpp"
+
+namespace halfspace::ref {
+
+enum class Architecture { kAlpha, kBeta, kGamma, kDelta };
+constexpr Architecture kArchitectures[] = {Architecture::kAlpha, Architecture::kBeta, Architecture::kGamma, Architecture::kDelta};
+const char* name_of(Architecture);  // "alpha", …
+constexpr bool is_index_rendering(Architecture a) { return a == Architecture::kGamma || a == Architecture::kDelta; }
+
+// The data rates of a frame, and what they cause. Triangles that cover no pixel centre count as triangles.
+struct Rates {
+  std::uint64_t triangles = 0, reduced_triangles = 0;  // handed over; with a fragment that passed the test
+  std::uint64_t fragments = 0, reduced_fragments = 0;  // covered; that passed
+  std::uint64_t visible_pixels = 0, pixels = 0;        // that show a triangle in the end; of the frame
+  std::uint64_t runs = 0;                              // of visible pixels of one triangle side by side in a row
+  std::uint64_t lightings = 0;                         // of a vertex, a triangle or a pixel, by the shading
+  std::uint64_t texture_fetches = 0;                   // texels
+  std::uint64_t largest_index = 0;                     // entries of TdbV and TdbS that are needed; 0 without index rendering
+};
+
+// Accesses of a buffer, in entries.
+struct BufferUse {
+  std::uint64_t entries = 0, read = 0, written = 0;
+};
+
+struct BufferUses {
+  BufferUse depth;       // Z-buffer; cleared once a frame by alpha and beta: with an index, 0 says that nothing is there
+  BufferUse frame;       // colours
+  BufferUse pixel;       // the wide one of beta: what shading needs
+  BufferUse index;       // I-buffer
+  BufferUse visibility;  // TdbV
+  BufferUse shading;     // TdbS; the shader keeps the entry of the pixel before
+};
+
+struct Drawing {
+  std::vector<std::uint32_t> triangle;              // that each pixel shows, from 1 on; 0: background
+  std::vector<std::uint32_t> depth;                 // of it
+  std::vector<std::array<std::uint8_t, 4>> colour;  // r, g, b, 255
+  Rates rates;
+  BufferUses buffers;
+};
+
+// Indices: triangle n takes the one of triangle n − window if that turned out invisible, else a new one. So a triangle's
+// result may take `window` triangles to arrive, no list of free indices is kept, and as many indices are used as triangles
+// passed the test, and `window` more at most. 0: no index is used twice.
+struct IndexReuse {
+  std::uint32_t window = 0;
+  std::uint32_t largest = 0xffffffff;  // index value
+};
+
+// Draws `list`, of which the surface knows the shading. With `deferred_lighting` index rendering lights visible triangles alone.
+// Throws Error when the indices are used up.
+Drawing draw(const SnappedList& list, Surface& surface, Architecture, bool deferred_lighting = true, const IndexReuse& = {});
+
+}  // namespace halfspace::ref
+
+#endif  // HALFSPACE_REF_ARCHITECTURE_HPP_

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// The covered pixels of a triangle, a span a row: a sliver costs rows and not the area of its bounding box.
+#ifndef HALFSPACE_REF_SPANS_HPP_
+#define HALFSPACE_REF_SPANS_HPP_
+
+#include <algorithm>
+
+#include "ref/plane.hpp"
+
+namespace halfspace::ref {
+
+// Columns, or rows, of pixels, both ends included; empty when first > last.
+struct Span {
+  std::int64_t first, last;
+};
+
+class Spans {
+ public:
+  Spans(int width, int height, int subpixel_bits)
+      : width_(width), height_(height), one_(std::int64_t(1) << subpixel_bits) {}
+
+  std::int64_t one() const { return one_; }  // pixel, in units of positions
+  std::int64_t centre(std::int64_t pixel) const { return pixel * one_ + one_ / 2; }
+
+  // visit(row, span) for each row of the triangle's box in the frame, from the top; spans may be empty.
+  template <class Visit>
+  void of(const OrderedTriangle& t, Visit&& visit) const {
+    if (t.area == 0) return;
+    const auto [x_min, x_max] = std::minmax_element(t.x.begin(), t.x.end());
+    const auto [y_min, y_max] = std::minmax_element(t.y.begin(), t.y.end());
+    const Span columns = pixels_between(*x_min, *x_max, width_), rows = pixels_between(*y_min, *y_max, height_);
+    for (std::int64_t row = rows.first; row <= rows.last; ++row) {
+      Span span = columns;
+      for (int i = 0; i < 3; ++i) {
+        const std::int64_t step = (t.y[i] - t.y[(i + 1) % 3]) * one_;
+        span = narrow(span, t.edge(i, centre(span.first), centre(row)), step);
+      }
+      visit(row, span);
+    }
+  }
+
+ private:
+  // The pixels of a row (column) of `size` whose centres lie in [low, high].
+  Span pixels_between(std::int64_t low, std::int64_t high, int size) const {
+    const std::int64_t first = -floor_div(centre(0) - low, one_);
+    const std::int64_t last = floor_div(high - centre(0), one_);
+    return {std::max<std::int64_t>(first, 0), std::min<std::int64_t>(last, size - 1)};
+  }
+
+  // The pixels of a span whose centres have e + step * (pixel - span.first) >= 0. An empty span stays near the
+  // frame, so that edge functions taken at it do not overflow.
+  static Span narrow(Span span, std::int64_t e, std::int64_t step) {
+    if (step > 0)
+      return {std::min(span.first + std::max<std::int64_t>(0, -floor_div(e, step)), span.last + 1), span.last};
+    if (step < 0)
+      return {span.first, std::max(std::min(span.last, span.first + floor_div(e, -step)), span.first - 1)};
+    return e >= 0 ? span : Span{span.first, span.first - 1};
+  }
+
+  const int width_, height_;
+  const std::int64_t one_;
+};
+
+}  // namespace halfspace::ref
+
+#endif  // HALFSPACE_REF_SPANS_HPP_

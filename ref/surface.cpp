@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ref/surface.hpp"
+
+#include <optional>
+
+#include "ref/plane.hpp"
+
+namespace halfspace::ref {
+namespace {
+
+// The planes of one triangle at a time: pixels come in runs.
+class ColourPlanes {
+ public:
+  ColourPlanes(const RasterFormat& format, bool flat) : format_(format), flat_(flat) {}
+
+  std::array<std::uint8_t, 4> at(std::uint32_t k, const SnappedTriangle& snapped, int x, int y) {
+    if (k != k_) set(k, snapped);
+    const std::int64_t one = std::int64_t(1) << format_.subpixel_bits;
+    std::array<std::uint8_t, 4> colour{0, 0, 0, 255};
+    for (int c = 0; c < 3; ++c) {
+      const Plane& plane = *planes_[c];
+      const auto value = plane.rounded(plane.numerator(x * one + one / 2, y * one + one / 2));
+      colour[c] = displayed_colour(static_cast<unsigned>(value), format_.colour_bits);
+    }
+    return colour;
+  }
+
+ private:
+  void set(std::uint32_t k, const SnappedTriangle& snapped) {
+    k_ = k;
+    triangle_.emplace(snapped);
+    for (int c = 0; c < 3; ++c) {
+      std::array<std::int64_t, 3> values{snapped.rgb[0][c], snapped.rgb[1][c], snapped.rgb[2][c]};
+      if (flat_) values.fill(values[0]);
+      planes_[c].emplace(*triangle_, values);
+    }
+  }
+
+  const RasterFormat format_;
+  const bool flat_;
+  std::uint32_t k_ = 0;
+  std::optional<OrderedTriangle> triangle_;
+  std::array<std::optional<Plane>, 3> planes_;
+};
+
+class GivenSurface : public Surface {
+ public:
+  explicit GivenSurface(const SnappedList& list) : list_(list), planes_(list.format, list.format.flat) {}
+  int light(std::uint32_t) override { return list_.format.flat ? 1 : 3; }
+  std::array<std::uint8_t, 4> colour(std::uint32_t k, int x, int y, std::uint64_t&, std::uint64_t&) override {
+    return planes_.at(k, list_.triangles[k - 1], x, y);
+  }
+
+ private:
+  const SnappedList& list_;
+  ColourPlanes planes_;
+};
+
+class LitSurface : public Surface {
+ public:
+  LitSurface(Geometry& geometry, const SnappedList& list, bool flat)
+      : geometry_(geometry), list_(list), flat_(flat), planes_(list.format, flat), rgb_(list.triangles.size()) {}
+
+  int light(std::uint32_t k) override {
+    std::array<glm::dvec3, 3> colours;
+    if (flat_) colours.fill(geometry_.colour(k - 1));
+    else colours = geometry_.colours(k - 1);
+    for (int v = 0; v < 3; ++v) {
+      for (int c = 0; c < 3; ++c) rgb_[k - 1][v][c] = snapped_colour(colours[v][c], list_.format.colour_bits);
+    }
+    return flat_ ? 1 : 3;
+  }
+  std::array<std::uint8_t, 4> colour(std::uint32_t k, int x, int y, std::uint64_t&, std::uint64_t&) override {
+    SnappedTriangle triangle = list_.triangles[k - 1];
+    triangle.rgb = rgb_[k - 1];
+    return planes_.at(k, triangle, x, y);
+  }
+
+ private:
+  Geometry& geometry_;
+  const SnappedList& list_;
+  const bool flat_;
+  ColourPlanes planes_;
+  std::vector<std::array<std::array<std::uint8_t, 3>, 3>> rgb_;
+};
+
+}  // namespace
+
+const char* name_of(ShadingMode mode) {
+  constexpr const char* kNames[] = {"flat", "gouraud"};
+  return kNames[int(mode)];
+}
+
+std::unique_ptr<Surface> given_surface(const SnappedList& list) { return std::make_unique<GivenSurface>(list); }
+
+std::unique_ptr<Surface> lit_surface(Geometry& geometry, const SnappedList& list, ShadingMode mode) {
+  return std::make_unique<LitSurface>(geometry, list, mode == ShadingMode::kFlat);
+}
+
+}  // namespace halfspace::ref

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// What triangles look like: asked for triangle by triangle and pixel by pixel, so that it can be asked late, and counted.
+#ifndef HALFSPACE_REF_SURFACE_HPP_
+#define HALFSPACE_REF_SURFACE_HPP_
+
+#include <array>
+#include <cstdint>
+#include <memory>
+
+#include "ref/geometry.hpp"
+#include "ref/snap.hpp"
+
+namespace halfspace::ref {
+
+enum class ShadingMode { kFlat, kGouraud };
+constexpr ShadingMode kShadingModes[] = {ShadingMode::kFlat, ShadingMode::kGouraud};
+const char* name_of(ShadingMode);  // "flat", …
+
+class Surface {
+ public:
+  virtual ~Surface() = default;
+  // Makes ready to shade triangle `k`, from 1 on; asked once, before its colours. Returns the lightings that it took.
+  virtual int light(std::uint32_t k) = 0;
+  // The colour at the centre of a pixel of triangle `k`. Adds the lightings and the texels that it took.
+  virtual std::array<std::uint8_t, 4> colour(std::uint32_t k, int x, int y, std::uint64_t& lightings, std::uint64_t& texels) = 0;
+};
+
+// Colours that came with the triangles, over exact planes; flat by the format. Lights nothing, and counts what lighting would
+// have taken: one, or three.
+std::unique_ptr<Surface> given_surface(const SnappedList&);
+
+// The triangles of a geometry, lit when they are asked for. `list` are its positions, snapped. Both outlive it.
+//   flat: one lighting a triangle, of vertex 0; Gouraud: three, and exact planes over their rounded colours.
+std::unique_ptr<Surface> lit_surface(Geometry&, const SnappedList& list, ShadingMode);
+
+}  // namespace halfspace::ref
+
+#endif  // HALFSPACE_REF_SURFACE_HPP_
