@@ -38,9 +38,8 @@ int merge(const Sweep& sweep) {
   std::set<std::string> refused;
   std::size_t measured = 0;
   for (const Json& row : rows) {
-    measured += row["refused"].is_null();
-    if (!row["refused"].is_null())
-      refused.insert(fmt::format("{}: {}", row["config"].get<std::string>(), row["refused"].get<std::string>()));
+    if (row["refused"].is_null()) ++measured;
+    else refused.insert(row["refused"].get<std::string>());
   }
   for (const std::string& reason : refused) fmt::print("not measured: {}\n", reason);
   const std::string csv = (std::filesystem::path(sweep.input.out) / "sweep.csv").string();

@@ -12,7 +12,8 @@
 namespace halfspace::cli {
 namespace {
 
-enum class Scale { kFromZero, kFromHalf, kFree, kLogarithmic };  // the last shows 0 on a line of its own
+// The last shows 0 on a line of its own.
+enum class Scale { kFromZero, kFromHalf, kFree, kLogarithmic };
 
 // What a measure is called above its panel.
 struct Axis {
@@ -32,8 +33,6 @@ const std::vector<Panels>& panels() {
   static const Axis wrong{"wrong_index_pixels", "pixels of a wrong face", Scale::kLogarithmic};
   static const Axis shimmer{"shimmer_rms_lsb", "shimmer, RMS LSB of 8", Scale::kLogarithmic};
   static const Axis depth_rms{"depth_rms_ppm", "depth, RMS error in millionths of full scale", Scale::kLogarithmic};
-  static const Axis depth_other{"reference_wrong_index_pixels", "pixels of another face than the reference",
-                                Scale::kLogarithmic};
   static const Axis depth_wrong{"depth_misrounded_share", "share of depths not rounded to nearest",
                                 Scale::kLogarithmic};
   static const Axis depth_stored{"stored_depth_largest_lsb", "largest error of a stored depth, LSB", Scale::kFromHalf};
@@ -48,7 +47,7 @@ const std::vector<Panels>& panels() {
   static const std::vector<Panels> all = {
       {"subpixel_bits", "sub-pixel bits f", {psnr, wrong, shimmer, depth_rms, lut}},
       {"range_bits", "range bits", {psnr, wrong, cycles, lut}},
-      {"depth_bits", "depth bits", {psnr, depth_other, wrong, depth_rms, bytes, lut}},
+      {"depth_bits", "depth bits", {psnr, wrong, depth_rms, bytes, lut}},
       {"colour_bits", "colour bits", {psnr, colour_rms, shimmer, lut}},
       {"reciprocal_bits", "reciprocal bits r", {depth_wrong, depth_stored, cycles, lut}},
       {"depth_fraction", "fraction bits of depth gradients g", {depth_wrong, depth_stored, lut}},
@@ -85,37 +84,49 @@ std::vector<const Json*> rows_along(const Sweep& sweep, const std::vector<Json>&
   return along;
 }
 
-// Of a panel: the scale, and where a logarithmic one shows 0.
-std::string scale_of(const Axis& axis, double least, bool zero, double floor) {
+struct Extent {
+  double least = 0, largest = 0;  // above 0
+  bool zero = false;
+  // Where a logarithmic scale shows 0: a decade below the least.
+  double floor() const { return least > 0 ? std::pow(10, std::floor(std::log10(least)) - 1) : 0; }
+};
+
+Extent extent_of(const std::vector<const Json*>& rows, const std::string& column) {
+  Extent extent;
+  for (const Json* row : rows) {
+    const auto value = number(*row, column);
+    if (!value) continue;
+    extent.zero = extent.zero || *value == 0;
+    if (*value > 0) extent.least = extent.least == 0 ? *value : std::min(extent.least, *value);
+    extent.largest = std::max(extent.largest, *value);
+  }
+  return extent;
+}
+
+std::string scale_of(const Axis& axis, const Extent& extent) {
   const std::string ticks = "set format y '%g'\nset ytics autofreq\n";
-  if (axis.scale == Scale::kLogarithmic && least > 0) {
-    if (!zero) return ticks + "set logscale y\nset autoscale y\n";
-    return ticks + fmt::format("set logscale y\nset yrange [{0}:*]\nset ytics add ('0' {0})\n", floor);
+  if (axis.scale == Scale::kLogarithmic && extent.least > 0) {
+    if (!extent.zero) return ticks + "set logscale y\nset autoscale y\n";
+    return ticks + fmt::format("set logscale y\nset yrange [{0}:*]\nset ytics add ('0' {0})\n", extent.floor());
   }
   if (axis.scale == Scale::kFree) return ticks + "unset logscale y\nset yrange [*:*]\n";
-  if (axis.scale == Scale::kFromHalf) return ticks + "unset logscale y\nset yrange [0.5:*]\n";
-  return ticks + "unset logscale y\nset yrange [0:*]\nset format y '%.0s%c'\n";
+  if (axis.scale == Scale::kFromHalf) return ticks + "unset logscale y\nset yrange [*<0.5:*]\n";
+  // Thousands and millions, with a digit behind the point where there are few of them.
+  const double thousands = extent.largest > 0 ? std::fmod(std::log10(extent.largest), 3) : 0;
+  return ticks + fmt::format("unset logscale y\nset yrange [0:1<*]\nset format y '%.{}s%c'\n", thousands < 0.7 ? 1 : 0);
 }
 
 void draw_panel(const Sweep& sweep, PanelScript& script, const std::vector<const Json*>& rows, const std::string& key,
                 const Axis& axis) {
   const std::string column = column_name(sweep, axis.column);
-  double least = 0;  // above 0
-  bool zero = false;
-  for (const Json* row : rows) {
-    const auto value = number(*row, column);
-    if (!value) continue;
-    zero = zero || *value == 0;
-    if (*value > 0) least = least == 0 ? *value : std::min(least, *value);
-  }
-  const double floor = least > 0 ? std::pow(10, std::floor(std::log10(least)) - 1) : 0;
+  const Extent extent = extent_of(rows, column);
   std::string plot;
   for (std::size_t s = 0; s < sweep.scenes.size(); ++s) {
     std::map<double, double> curve;
     for (const Json* row : rows) {
       const auto x = number(*row, key), y = number(*row, column);
       if ((*row)["scene"] != sweep.scenes[s].name || !x || !y) continue;
-      curve[*x] = axis.scale == Scale::kLogarithmic && *y == 0 ? floor : *y;
+      curve[*x] = axis.scale == Scale::kLogarithmic && *y == 0 ? extent.floor() : *y;
     }
     std::string points;
     for (const auto& [x, y] : curve) points += fmt::format("{} {}\n", x, y);
@@ -124,7 +135,7 @@ void draw_panel(const Sweep& sweep, PanelScript& script, const std::vector<const
                         script.data(points), curve_colour(s), gnuplot_quoted(short_name(sweep.scenes[s].name)));
   }
   script.line("set title " + gnuplot_quoted(axis.title));
-  script.line(scale_of(axis, least, zero, floor) + (plot.empty() ? "set multiplot next" : plot));
+  script.line(scale_of(axis, extent) + (plot.empty() ? "set multiplot next" : plot));
 }
 
 // The numbers along x, with the base's marked.

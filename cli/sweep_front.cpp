@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 #include "cli/gnuplot.hpp"
@@ -16,9 +17,11 @@ void draw_front(PanelScript& script, const std::vector<Json>& rows, const std::s
   std::string other, front, base;
   std::vector<std::string> named;
   std::map<double, double> line;
+  double first = std::numeric_limits<double>::infinity(), last = 0;
   for (const Json& row : rows) {
     const auto x = number(row, cost), y = number(row, "psnr_db");
     if (row["scene"] != scene || !x || !y) continue;
+    first = std::min(first, *x), last = std::max(last, *x);
     const std::string at = fmt::format("{} {}", *x, *y);
     (row[flag].get<bool>() ? front : other) += at + "\n";
     if (row[flag].get<bool>()) line[*x] = *y;
@@ -27,8 +30,10 @@ void draw_front(PanelScript& script, const std::vector<Json>& rows, const std::s
   }
   std::string steps;
   for (const auto& [x, y] : line) steps += fmt::format("{} {}\n", x, y);
-  script.line(fmt::format("set title {}\nset xlabel {}\nset ylabel 'PSNR against the ideal, dB'\nset key bottom right",
-                          gnuplot_quoted(short_name(scene)), gnuplot_quoted(title)));
+  script.line(
+      fmt::format("set title {}\nset xlabel {}\nset ylabel 'PSNR against the ideal, dB'\nset key below center "
+                  "horizontal samplen 1\nset format x '{}'",
+                  gnuplot_quoted(short_name(scene)), gnuplot_quoted(title), last - first < 5000 ? "%.0f" : "%.0s%c"));
   std::string plot;
   const auto add = [&](const std::string& data, const std::string& style) {
     if (!data.empty()) plot += (plot.empty() ? "plot " : ", ") + script.data(data) + " " + style;
@@ -54,7 +59,7 @@ std::optional<PanelScript> front_plot(const Sweep& sweep, const std::vector<Json
   const int count = int(sweep.scenes.size()), columns = lut.empty() ? std::min(count, 3) : 2;
   PanelScript script("front.png", "accuracy and what it takes", columns,
                      lut.empty() ? (count + columns - 1) / columns : count, lut.empty() && count > 1 ? 480 : 600, 420);
-  script.line("set offsets graph 0.1, graph 0.14, graph 0.06, graph 0.08\nset format x '%.0s%c'");
+  script.line("set offsets graph 0.1, graph 0.14, graph 0.06, graph 0.08");
   for (const SweepScene& scene : sweep.scenes) {
     if (!lut.empty()) draw_front(script, rows, scene.name, lut, "pareto_lut", "LUTs of the pipeline");
     draw_front(script, rows, scene.name, "cycles", "pareto_cycles", "cycles a frame");

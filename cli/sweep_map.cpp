@@ -19,14 +19,15 @@ std::optional<PanelScript> map_plot(const Sweep& sweep, const std::vector<Json>&
   const bool depth = fraction == "depth_fraction";
   const std::string column = depth ? "depth_misrounded_share" : "colour_misrounded_share";
   const int count = int(sweep.scenes.size()), columns = std::min(count, 3);
-  PanelScript script("map.png", depth ? "reciprocal and depth gradients" : "reciprocal and colour gradients", columns,
-                     (count + columns - 1) / columns, 520, 430);
-  script.line(
-      fmt::format("set xlabel 'reciprocal bits r'\nset ylabel {}\nset xtics 1\nset ytics 1\nunset key\nunset grid\n"
-                  "set palette defined (0 '#f7fbff', 1 '#6baed6', 2 '#08306b')\nset cblabel {}\nset cbrange [0:*]",
-                  gnuplot_quoted(depth ? "fraction bits of depth gradients g" : "fraction bits of colour gradients g"),
-                  gnuplot_quoted(depth ? "percent of depths not rounded to nearest"
-                                       : "percent of colours not rounded to nearest")));
+  PanelScript script("map.png",
+                     depth ? "percent of depths that are not rounded to nearest"
+                           : "percent of colours that are not rounded to nearest",
+                     columns, (count + columns - 1) / columns, 520, 430);
+  script.line(fmt::format(
+      "set xlabel 'reciprocal bits r'\nset ylabel {}\nset xtics 1\nset ytics 1\nunset key\nunset grid\n"
+      "set palette defined (0 '#f7fbff', 1 '#5a9fd0')\nset cbrange [0:*]\nunset colorbox\n"
+      "set offsets 0.5, 0.5, 0.5, 0.5\nset autoscale fix",
+      gnuplot_quoted(depth ? "fraction bits of depth gradients g" : "fraction bits of colour gradients g")));
   for (const SweepScene& scene : sweep.scenes) {
     std::string cells, refused;
     for (const Json& row : rows) {

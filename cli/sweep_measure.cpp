@@ -64,7 +64,7 @@ Json compute_picture(const SweepScene& scene, const SweepConfig& config) {
         vectors::measure_trade(scene.project, scene.width, scene.height, configuration, config.numbers.lanes),
         config.numbers);
   } catch (const ref::Error& error) {
-    return {{"refused", error.what()}};
+    return {{"refused", fmt::format("{} with {}: {}", scene.name, config.name, error.what())}};
   }
 }
 
