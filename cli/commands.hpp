@@ -20,6 +20,7 @@ void add_package(CLI::App& app, int& status);
 void add_bounds(CLI::App& app, int& status);
 void add_report(CLI::App& app, int& status);
 void add_stability(CLI::App& app, int& status);
+void add_sweep(CLI::App& app, int& status);
 
 using Json = nlohmann::ordered_json;
 

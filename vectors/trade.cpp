@@ -47,6 +47,21 @@ PictureError picture_error(const ref::IdealFrame& ideal, const ref::TriangleList
   return result;
 }
 
+StoredError stored_error(const ref::Frame& reference, const ref::Frame& kernels, int depth_bits) {
+  StoredError result;
+  for (std::size_t n = 0; n < reference.index.size(); ++n) {
+    if (reference.index[n] == 0 || reference.index[n] != kernels.index[n]) continue;
+    if (depth_bits) {
+      result.depth_largest = std::max(result.depth_largest, std::abs(kernels.depth[n] - reference.exact_depth[n]));
+    }
+    for (int c = 0; c < 3; ++c) {
+      result.colour_largest =
+          std::max(result.colour_largest, std::abs(kernels.colour[n][c] - reference.exact_colour[n][c]));
+    }
+  }
+  return result;
+}
+
 void ShimmerMeter::add(const ref::IdealFrame& ideal, const ref::TriangleList& list, const ref::Frame& frame) {
   const std::size_t pixels = ideal.face.size();
   const bool first = frames_++ == 0;
@@ -113,7 +128,9 @@ Trade measure_trade(const Projection& project, int width, int height, const Conf
     if (k != 0) continue;
     trade.triangles = scene.triangles.size();
     trade.ideal = picture_error(ideal, list, frame, config.depth_bits);
-    trade.reference = accuracy(ref::render(scene), frame, config.depth_bits);
+    const ref::Frame reference = ref::render(scene);
+    trade.reference = accuracy(reference, frame, config.depth_bits);
+    trade.stored = stored_error(reference, frame, config.depth_bits);
     trade.intervals = unit_intervals(config);
     trade.cycles = model_cycles(config, *engine, scene, frame);
     trade.traffic = frame_traffic(config, *engine, scene, frame);

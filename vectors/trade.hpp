@@ -33,6 +33,14 @@ struct PictureError {
 PictureError picture_error(const ref::IdealFrame& ideal, const ref::TriangleList& list, const ref::Frame& frame,
                            int depth_bits);
 
+// Of stored values against those that the reference has before rounding, on the same snapped triangles, where both show the
+// same triangle: ½ where everything is rounded to the nearest.
+struct StoredError {
+  double depth_largest = 0;   // LSB of the stored depth; 0 without one
+  double colour_largest = 0;  // of a channel, LSB of 8 bits
+};
+StoredError stored_error(const ref::Frame& reference, const ref::Frame& kernels, int depth_bits);
+
 // Shimmer: what changes from frame to frame of a slow pan and does not in the ideal. The picture is moved by kPanX to the right
 // and kPanY down a frame, primes apart from every grid of sub-pixels, so that no vertex keeps its place on it: an edge whose
 // snapped ends creep and jump does so differently in every frame. With e_k the frame less its ideal,
@@ -63,6 +71,7 @@ struct Trade {
   std::size_t triangles = 0;
   PictureError ideal;
   Accuracy reference;  // snapped as well
+  StoredError stored;
   Shimmer shimmer;
   UnitIntervals intervals;
   Cycles cycles;

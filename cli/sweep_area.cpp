@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/sweep_area.hpp"
+
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "ref/error.hpp"
+#include "vectors/package.hpp"
+#include "vectors/staging.hpp"
+
+namespace halfspace::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Runs a program, its output to the file; returns its exit status.
+int run_program(const std::vector<std::string>& words, const std::string& output) {
+  std::vector<char*> argv;
+  for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
+  argv.push_back(nullptr);
+  std::FILE* const file = std::fopen(output.c_str(), "w");
+  if (!file) throw ref::Error(fmt::format("{}: cannot write it: is the disk full?", output));
+  const pid_t child = fork();
+  if (child == 0) {
+    dup2(fileno(file), 1);
+    dup2(fileno(file), 2);
+    execvp(argv[0], argv.data());
+    _exit(127);
+  }
+  std::fclose(file);
+  int status = 0;
+  if (child < 0 || waitpid(child, &status, 0) < 0) throw ref::Error("no further process can be started: stop some");
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ",") + word;
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> area_targets(const std::string& text) {
+  const std::vector<std::string> known = {"xilinx", "ecp5", "ice40"};
+  if (text == "none") return {};
+  if (text == "all") return known;
+  std::vector<std::string> targets;
+  std::stringstream list(text);
+  for (std::string word; std::getline(list, word, ',');) {
+    if (std::find(known.begin(), known.end(), word) == known.end()) {
+      throw ref::Error(
+          fmt::format("--area {}: there is no target '{}': use {}, all or none", text, word, joined(known)));
+    }
+    if (std::find(targets.begin(), targets.end(), word) == targets.end()) targets.push_back(word);
+  }
+  if (targets.empty()) throw ref::Error(fmt::format("--area: no target is named: use {}, all or none", joined(known)));
+  return targets;
+}
+
+std::string area_sources() {
+  const fs::path tool = HALFSPACE_AREA_TOOL;
+  std::vector<fs::path> files;
+  for (const fs::path& folder : {tool.parent_path(), tool.parent_path().parent_path()}) {
+    std::error_code absent;
+    for (const auto& entry : fs::directory_iterator(folder, absent)) {
+      if (entry.path().extension() == ".sv" || entry.path().extension() == ".py") files.push_back(entry.path());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  std::ostringstream all;
+  for (const fs::path& file : files) all << file.filename().string() << '\n' << std::ifstream(file).rdbuf();
+  return all.str();
+}
+
+Json measure_area(const SweepConfig& config, const std::vector<std::string>& targets, const std::string& work) {
+  const fs::path folder(work);
+  const std::string package = (folder / "hs_formats_pkg.sv").string(), json = (folder / "area.json").string();
+  const std::string log = (folder / "area.log").string();
+  vectors::write_file(package, vectors::formats_package(config.configuration()));
+  const int status = run_program({"python3", HALFSPACE_AREA_TOOL, "--package", package, "--lanes",
+                                  std::to_string(config.numbers.lanes), "--targets", joined(targets), "--json", json},
+                                 log);
+  std::ifstream file(json);
+  const Json result = Json::parse(file, nullptr, false);
+  if (status != 0 || result.is_discarded() || !result.contains("rows")) {
+    throw ref::Error(
+        fmt::format("{}: the area tool ended with status {}: its words are in {}", config.name, status, log));
+  }
+  Json rows = Json::array();
+  for (Json row : result["rows"]) {
+    for (const char* name : {"package", "config", "cells"}) row.erase(name);
+    rows.push_back(row);
+  }
+  fs::remove_all(folder);
+  return {{"rows", rows}, {"buffers", result["buffers"]}, {"yosys", result["yosys"]}};
+}
+
+}  // namespace halfspace::cli

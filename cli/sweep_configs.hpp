@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// The configurations of a sweep: all combinations of the values asked for, and the named ones.
+#ifndef HALFSPACE_CLI_SWEEP_CONFIGS_HPP_
+#define HALFSPACE_CLI_SWEEP_CONFIGS_HPP_
+
+#include <string>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "cli/scene_input.hpp"
+#include "hls/config.hpp"
+#include "vectors/configuration.hpp"
+
+namespace halfspace::cli {
+
+struct Variation {
+  std::string key;  // a number of the configuration, or shading
+  std::vector<std::string> values;
+};
+
+struct SweepConfig {
+  std::string name;
+  Config numbers;       // its name means nothing
+  std::string refused;  // why; empty if accepted
+  std::string named;    // the named configuration with these numbers, lanes apart; empty if there is none
+  bool base = false;
+
+  // Of an accepted one.
+  vectors::Configuration configuration() const { return {name, numbers}; }
+};
+
+struct ConfigChoice {
+  std::string config;  // the base
+  int lanes = 0;       // of the base and of the named ones; 0: the base's own
+  bool star = false;   // one key at a time, from the base
+  bool named = true;   // the named configurations as well
+  FrameSize
+      frame;  // that is drawn, as far as it is known: what cannot hold it gets the base's frame, range and triangles
+};
+
+// "key=a,b,c" or "key=a..b". Throws ref::Error.
+Variation parse_variation(const std::string& option);
+
+// Each once, refused ones with their reason. Without a variation the base, and the named ones.
+std::vector<SweepConfig> sweep_configs(const ConfigChoice&, const std::vector<Variation>&);
+
+// The base's numbers.
+Config base_numbers(const ConfigChoice&);
+
+// Fields of Config by name, and shading.
+Json config_numbers(const Config& config);
+
+}  // namespace halfspace::cli
+
+#endif  // HALFSPACE_CLI_SWEEP_CONFIGS_HPP_

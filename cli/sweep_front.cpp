@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include "cli/gnuplot.hpp"
+#include "cli/sweep_plots.hpp"
+#include "cli/sweep_table.hpp"
+
+namespace halfspace::cli {
+namespace {
+
+void draw_front(PanelScript& script, const std::vector<Json>& rows, const std::string& scene, const std::string& cost,
+                const std::string& flag, const char* title) {
+  std::string other, front, base;
+  std::vector<std::string> named;
+  std::map<double, double> line;
+  double first = std::numeric_limits<double>::infinity(), last = 0;
+  for (const Json& row : rows) {
+    const auto x = number(row, cost), y = number(row, "psnr_db");
+    if (row["scene"] != scene || !x || !y) continue;
+    first = std::min(first, *x), last = std::max(last, *x);
+    const std::string at = fmt::format("{} {}", *x, *y);
+    (row[flag].get<bool>() ? front : other) += at + "\n";
+    if (row[flag].get<bool>()) line[*x] = *y;
+    if (row["named"].is_string()) named.push_back(fmt::format("{} {}\n", at, row["named"].get<std::string>()));
+    else if (row["base"].get<bool>()) base += at + " base\n";
+  }
+  std::string steps;
+  for (const auto& [x, y] : line) steps += fmt::format("{} {}\n", x, y);
+  script.line(
+      fmt::format("set title {}\nset xlabel {}\nset ylabel 'PSNR against the ideal, dB'\nset key below center "
+                  "horizontal samplen 1\nset format x '{}'",
+                  gnuplot_quoted(short_name(scene)), gnuplot_quoted(title), last - first < 5000 ? "%.0f" : "%.0s%c"));
+  std::string plot;
+  const auto add = [&](const std::string& data, const std::string& style) {
+    if (!data.empty()) plot += (plot.empty() ? "plot " : ", ") + script.data(data) + " " + style;
+  };
+  add(other, "with points pt 6 ps 0.8 lc rgb '#999999' title 'other'");
+  add(steps, "with steps lc rgb '#1f6fb4' notitle");
+  add(front, "with points pt 7 ps 0.9 lc rgb '#1f6fb4' title 'Pareto front'");
+  // Around their points, as they may lie on each other.
+  constexpr const char* kPlaces[] = {"left offset 1.2,-0.9", "right offset -1.2,0", "left offset 1.2,0.5"};
+  for (std::size_t n = 0; n < named.size(); ++n) {
+    add(named[n], fmt::format("with points pt 4 ps 1.7 lc rgb '#d95f02' {}", n == 0 ? "title 'named'" : "notitle"));
+    add(named[n], fmt::format("using 1:2:3 with labels {} tc rgb '#d95f02' notitle", kPlaces[n % 3]));
+  }
+  add(base, "with points pt 8 ps 1.7 lc rgb '#d95f02' title 'base'");
+  if (!plot.empty()) script.line(plot);
+}
+
+}  // namespace
+
+std::optional<PanelScript> front_plot(const Sweep& sweep, const std::vector<Json>& rows) {
+  if (sweep.configs.size() < 2) return std::nullopt;
+  const std::string lut = lut_column(sweep);
+  const int count = int(sweep.scenes.size()), columns = lut.empty() ? std::min(count, 3) : 2;
+  PanelScript script("front.png", "accuracy and what it takes", columns,
+                     lut.empty() ? (count + columns - 1) / columns : count, lut.empty() && count > 1 ? 480 : 600, 420);
+  script.line("set offsets graph 0.1, graph 0.14, graph 0.06, graph 0.08");
+  for (const SweepScene& scene : sweep.scenes) {
+    if (!lut.empty()) draw_front(script, rows, scene.name, lut, "pareto_lut", "LUTs of the pipeline");
+    draw_front(script, rows, scene.name, "cycles", "pareto_cycles", "cycles a frame");
+  }
+  return script;
+}
+
+}  // namespace halfspace::cli

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/sweep_measure.hpp"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <cmath>
+#include <filesystem>
+#include <mutex>
+#include <thread>
+
+#include "cli/progress.hpp"
+#include "cli/sweep_area.hpp"
+#include "ref/error.hpp"
+#include "vectors/staging.hpp"
+
+namespace halfspace::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+double share(std::uint64_t part, std::uint64_t whole) { return whole ? double(part) / double(whole) : 0; }
+
+Json picture_result(const vectors::Trade& t, const Config& config) {
+  const double full = has_depth(config) ? std::ldexp(1, config.depth_bits) - 1 : 1;
+  const auto finite = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
+  return {{"triangles_drawn", t.triangles},
+          {"psnr_db", finite(t.ideal.psnr)},
+          {"wrong_coverage_pixels", t.ideal.covered_differ},
+          {"wrong_index_pixels", t.ideal.index_differ},
+          {"colour_largest_lsb", t.ideal.colour_largest},
+          {"colour_rms_lsb", t.ideal.colour_rms},
+          {"depth_largest_lsb", t.ideal.depth_largest},
+          {"depth_rms_lsb", t.ideal.depth_rms},
+          {"depth_rms_ppm", 1e6 * t.ideal.depth_rms / full},
+          {"shimmer_rms_lsb", t.shimmer.rms},
+          {"shimmer_pixels", t.shimmer.pixels},
+          {"reference_psnr_db", finite(t.reference.psnr)},
+          {"reference_wrong_index_pixels", t.reference.index_differ},
+          {"stored_depth_largest_lsb", t.stored.depth_largest},
+          {"stored_colour_largest_lsb", t.stored.colour_largest},
+          {"depth_misrounded_share", share(t.reference.depth_differ, t.reference.compared)},
+          {"colour_misrounded_share", share(t.reference.colour_differ, 3 * t.reference.compared)},
+          {"cycles", t.cycles.frame},
+          {"cycles_triangle_setup", t.cycles.triangle_setup},
+          {"cycles_shade_setup", t.cycles.shade_setup},
+          {"cycles_raster", t.cycles.raster},
+          {"cycles_scan_out", t.cycles.scan_out},
+          {"bytes_index_read", t.traffic.index_read},
+          {"bytes_index_written", t.traffic.index_written},
+          {"bytes_depth_read", t.traffic.depth_read},
+          {"bytes_depth_written", t.traffic.depth_written},
+          {"bytes_planes_read", t.traffic.planes_read},
+          {"bytes_planes_written", t.traffic.planes_written},
+          {"bytes", t.traffic.total()},
+          {"kernels_compiled", t.compiled},
+          {"native_ms", t.native_ms}};
+}
+
+Json compute_picture(const SweepScene& scene, const SweepConfig& config) {
+  const vectors::Configuration configuration = config.configuration();
+  try {
+    return picture_result(
+        vectors::measure_trade(scene.project, scene.width, scene.height, configuration, config.numbers.lanes),
+        config.numbers);
+  } catch (const ref::Error& error) {
+    return {{"refused", fmt::format("{} with {}: {}", scene.name, config.name, error.what())}};
+  }
+}
+
+}  // namespace
+
+void compute_point(const Sweep& sweep, const SweepPoint& point) {
+  const fs::path out(sweep.input.out);
+  const SweepConfig& config = sweep.configs[point.config];
+  // An area works under the point's name, so that points at the same time do not meet.
+  const Json result = point.is_area
+                          ? measure_area(config, sweep.targets, (out / "area" / fs::path(point.file).stem()).string())
+                          : compute_picture(sweep.scenes[point.scene], config);
+  const Json json = {{"format", "halfspace-point 1"}, {"point", point.what}, {"result", result}};
+  vectors::write_file((out / point.file).string(), json.dump(1) + "\n");
+}
+
+std::vector<std::string> compute_points(const Sweep& sweep, int jobs) {
+  std::vector<const SweepPoint*> todo;
+  for (const SweepPoint& point : sweep.points) {
+    if (stored_result(sweep, point).is_null()) todo.push_back(&point);
+  }
+  std::vector<std::string> failures;
+  const std::size_t total = sweep.points.size();
+  std::size_t done = total - todo.size();
+  Progress progress("sweep");
+  std::mutex mutex;
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t n = next++; n < todo.size(); n = next++) {
+      std::string failure;
+      try {
+        compute_point(sweep, *todo[n]);
+      } catch (const std::exception& error) {
+        failure = error.what();
+      }
+      const std::lock_guard<std::mutex> lock(mutex);
+      if (!failure.empty()) failures.push_back(failure);
+      progress.tell(++done, total);
+    }
+  };
+  std::vector<std::thread> threads;
+  for (int n = 1; n < jobs; ++n) threads.emplace_back(work);
+  work();
+  for (std::thread& thread : threads) thread.join();
+  std::error_code not_empty;
+  fs::remove(fs::path(sweep.input.out) / "area", not_empty);
+  return failures;
+}
+
+}  // namespace halfspace::cli
