@@ -19,6 +19,7 @@ void add_fit(CLI::App& app, int& status);
 void add_package(CLI::App& app, int& status);
 void add_bounds(CLI::App& app, int& status);
 void add_report(CLI::App& app, int& status);
+void add_repro(CLI::App& app, int& status);
 void add_stability(CLI::App& app, int& status);
 void add_sweep(CLI::App& app, int& status);
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "cli/area.hpp"
 #include "cli/commands.hpp"
 #include "cli/cosim.hpp"
 #include "cli/picture.hpp"
@@ -28,7 +29,7 @@ struct Options {
   FrameInput input;
   vectors::FitGoal goal;
   int lanes = 0;
-  std::string output, work, json;
+  std::string output, work, json, area = "xilinx";
   bool cosim = true;
 };
 
@@ -92,6 +93,32 @@ void print_numbers(const Fit& fit, const Configuration& high) {
              100 - 100.0 * mine.total() / theirs.total());
 }
 
+// The pipeline of both, and what is saved, for each target.
+Json compare_area(const Fit& fit, const Configuration& high, const std::vector<std::string>& targets, const std::string& work) {
+  if (targets.empty()) return nullptr;
+  std::fprintf(stderr, "area of %s and of %s by Yosys: some minutes\n", fit.configuration.name().c_str(), high.name().c_str());
+  const Json mine = measure_area(fit.configuration, targets, work + "/area"), theirs = measure_area(high, targets, work + "/area");
+  Json json = Json::object();
+  for (const std::string& target : targets) {
+    const auto pipeline = [&](const Json& area) {
+      for (const Json& row : area["rows"]) {
+        if (row["unit"] == "pipeline" && row["target"] == target) return row;
+      }
+      throw ref::Error("the area tool tells nothing of the pipeline: this is a fault of the program");
+    };
+    const Json a = pipeline(mine), b = pipeline(theirs);
+    fmt::print("{}:", target);
+    for (const char* column : {"lut", "ff", "dsp", "memory_bits"}) {
+      const double here = a[column].get<double>(), there = b[column].get<double>();
+      fmt::print(" {} of {} {}{}", a[column].get<std::uint64_t>(), b[column].get<std::uint64_t>(), column,
+                 there > 0 ? fmt::format(" ({:.0f} % saved);", 100 - 100 * here / there) : ";");
+      json[target][column] = {{"fit", a[column]}, {high.name(), b[column]}};
+    }
+    fmt::print("\n");
+  }
+  return json;
+}
+
 // Renders the frames anew and runs the RTL on them. Throws when either fails.
 Json prove(const Options& options, const FitScene& scene, const Fit& fit, const std::string& work) {
   const int lanes = fit.configuration.config().lanes;
@@ -117,6 +144,7 @@ Json prove(const Options& options, const FitScene& scene, const Fit& fit, const 
 }
 
 void fit(const Options& options) {
+  const std::vector<std::string> targets = area_targets(options.area);
   const FitScene scene = load_frames(options.input);
   const vectors::Requirements needed = vectors::requirements(scene);
   print(needed, scene);
@@ -132,6 +160,7 @@ void fit(const Options& options) {
   const Configuration high = vectors::find_configuration("high");
   print_numbers(found, high);
   const std::string work = options.work.empty() ? "fit_" + name : options.work;
+  const Json area = compare_area(found, high, targets, work);
   const Json proof = prove(options, scene, found, work);
   if (!options.output.empty()) vectors::write_file(options.output, vectors::configuration_toml(found.configuration));
 
@@ -152,6 +181,7 @@ void fit(const Options& options) {
                             {"one_bit_less", less},
                             {"memory_bits", memory_json(vectors::memory_bits(found.configuration))},
                             {"memory_bits_of_high", memory_json(vectors::memory_bits(high))},
+                            {"area", area},
                             {"proof", proof}});
 }
 
@@ -175,6 +205,7 @@ void add_fit(CLI::App& app, int&) {
   command->add_option("-o,--output", options->output, "configuration to write");
   command->add_option("--work", options->work, "folder for the bench and the vectors; default: fit_NAME");
   command->add_flag("--cosim,!--no-cosim", options->cosim, "co-simulate the RTL of what is found");
+  command->add_option("--area", options->area, "targets for Yosys: xilinx,ecp5,ice40, all, or none")->capture_default_str();
   command->add_option("--json", options->json, "file for the numbers");
   command->callback([options] { fit(*options); });
 }

@@ -61,6 +61,7 @@ int main(int argc, char** argv) {
   halfspace::cli::add_package(app, status);
   halfspace::cli::add_bounds(app, status);
   halfspace::cli::add_report(app, status);
+  halfspace::cli::add_repro(app, status);
   halfspace::cli::add_stability(app, status);
   halfspace::cli::add_sweep(app, status);
   try {

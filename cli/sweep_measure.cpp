@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "cli/progress.hpp"
-#include "cli/sweep_area.hpp"
+#include "cli/area.hpp"
 #include "ref/error.hpp"
 #include "vectors/staging.hpp"
 
@@ -75,7 +75,7 @@ void compute_point(const Sweep& sweep, const SweepPoint& point) {
   const SweepConfig& config = sweep.configs[point.config];
   // An area works under the point's name, so that points at the same time do not meet.
   const Json result = point.is_area
-                          ? measure_area(config, sweep.targets, (out / "area" / fs::path(point.file).stem()).string())
+                          ? measure_area(config.configuration(), sweep.targets, (out / "area" / fs::path(point.file).stem()).string())
                           : compute_picture(sweep.scenes[point.scene], config);
   const Json json = {{"format", "halfspace-point 1"}, {"point", point.what}, {"result", result}};
   vectors::write_file((out / point.file).string(), json.dump(1) + "\n");

@@ -10,7 +10,7 @@
 #include <set>
 #include <sstream>
 
-#include "cli/sweep_area.hpp"
+#include "cli/area.hpp"
 #include "ref/error.hpp"
 #include "ref/geometry.hpp"
 #include "ref/scene.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/sweep_area.hpp"
+#include "cli/area.hpp"
 
 #include <fmt/format.h>
 #include <sys/wait.h>
@@ -80,19 +80,20 @@ std::string area_sources() {
   return all.str();
 }
 
-Json measure_area(const SweepConfig& config, const std::vector<std::string>& targets, const std::string& work) {
+Json measure_area(const vectors::Configuration& configuration, const std::vector<std::string>& targets,
+                  const std::string& work) {
   const fs::path folder(work);
   const std::string package = (folder / "hs_formats_pkg.sv").string(), json = (folder / "area.json").string();
   const std::string log = (folder / "area.log").string();
-  vectors::write_file(package, vectors::formats_package(config.configuration()));
+  vectors::write_file(package, vectors::formats_package(configuration));
   const int status = run_program({"python3", HALFSPACE_AREA_TOOL, "--package", package, "--lanes",
-                                  std::to_string(config.numbers.lanes), "--targets", joined(targets), "--json", json},
+                                  std::to_string(configuration.config().lanes), "--targets", joined(targets), "--json", json},
                                  log);
   std::ifstream file(json);
   const Json result = Json::parse(file, nullptr, false);
   if (status != 0 || result.is_discarded() || !result.contains("rows")) {
     throw ref::Error(
-        fmt::format("{}: the area tool ended with status {}: its words are in {}", config.name, status, log));
+        fmt::format("{}: the area tool ended with status {}: its words are in {}", configuration.name(), status, log));
   }
   Json rows = Json::array();
   for (Json row : result["rows"]) {
