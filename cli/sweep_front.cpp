@@ -34,6 +34,8 @@ void draw_front(PanelScript& script, const std::vector<Json>& rows, const std::s
       fmt::format("set title {}\nset xlabel {}\nset ylabel 'PSNR against the ideal, dB'\nset key below center "
                   "horizontal samplen 1\nset format x '{}'",
                   gnuplot_quoted(short_name(scene)), gnuplot_quoted(title), last - first < 5000 ? "%.0f" : "%.0s%c"));
+  if (first < last) script.line("set xrange [*:*]");
+  else script.line(fmt::format("set xrange [{}:{}]", 0.9 * first, 1.1 * last));
   std::string plot;
   const auto add = [&](const std::string& data, const std::string& style) {
     if (!data.empty()) plot += (plot.empty() ? "plot " : ", ") + script.data(data) + " " + style;
