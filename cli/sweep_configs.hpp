@@ -8,7 +8,6 @@
 
 #include "cli/commands.hpp"
 #include "cli/scene_input.hpp"
-#include "hls/config.hpp"
 #include "vectors/configuration.hpp"
 
 namespace halfspace::cli {

@@ -103,6 +103,12 @@ Extent extent_of(const std::vector<const Json*>& rows, const std::string& column
   return extent;
 }
 
+// What large numbers are told in.
+std::pair<double, const char*> unit_of(const Axis& axis, const Extent& extent) {
+  if (axis.scale != Scale::kFromZero || extent.largest < 1e4) return {1, ""};
+  return extent.largest < 1e6 ? std::make_pair(1e3, ", thousands") : std::make_pair(1e6, ", millions");
+}
+
 std::string scale_of(const Axis& axis, const Extent& extent) {
   const std::string ticks = "set format y '%g'\nset ytics autofreq\n";
   if (axis.scale == Scale::kLogarithmic && extent.least > 0) {
@@ -111,15 +117,14 @@ std::string scale_of(const Axis& axis, const Extent& extent) {
   }
   if (axis.scale == Scale::kFree) return ticks + "unset logscale y\nset yrange [*:*]\n";
   if (axis.scale == Scale::kFromHalf) return ticks + "unset logscale y\nset yrange [*<0.5:*]\n";
-  // Thousands and millions, with a digit behind the point where there are few of them.
-  const double thousands = extent.largest > 0 ? std::fmod(std::log10(extent.largest), 3) : 0;
-  return ticks + fmt::format("unset logscale y\nset yrange [0:1<*]\nset format y '%.{}s%c'\n", thousands < 0.7 ? 1 : 0);
+  return ticks + "unset logscale y\nset yrange [0:1<*]\n";
 }
 
 void draw_panel(const Sweep& sweep, PanelScript& script, const std::vector<const Json*>& rows, const std::string& key,
                 const Axis& axis) {
   const std::string column = column_name(sweep, axis.column);
   const Extent extent = extent_of(rows, column);
+  const auto [unit, unit_name] = unit_of(axis, extent);
   std::string plot;
   for (std::size_t s = 0; s < sweep.scenes.size(); ++s) {
     std::map<double, double> curve;
@@ -129,12 +134,12 @@ void draw_panel(const Sweep& sweep, PanelScript& script, const std::vector<const
       curve[*x] = axis.scale == Scale::kLogarithmic && *y == 0 ? extent.floor() : *y;
     }
     std::string points;
-    for (const auto& [x, y] : curve) points += fmt::format("{} {}\n", x, y);
+    for (const auto& [x, y] : curve) points += fmt::format("{} {}\n", x, y / unit);
     if (points.empty()) continue;
     plot += fmt::format("{}{} with linespoints pt 7 ps 0.7 lc rgb '{}' title {}", plot.empty() ? "plot " : ", ",
                         script.data(points), curve_colour(s), gnuplot_quoted(short_name(sweep.scenes[s].name)));
   }
-  script.line("set title " + gnuplot_quoted(axis.title));
+  script.line("set title " + gnuplot_quoted(std::string(axis.title) + unit_name));
   script.line(scale_of(axis, extent) + (plot.empty() ? "set multiplot next" : plot));
 }
 

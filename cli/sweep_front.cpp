@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 
@@ -11,6 +12,16 @@
 
 namespace halfspace::cli {
 namespace {
+
+// Few enough tics that their numbers, which may be long, stand apart.
+std::string x_axis(double first, double last) {
+  if (first >= last) {
+    return fmt::format("set xrange [{}:{}]\nset xtics autofreq\nset format x '%.0f'", 0.9 * first, 1.1 * first);
+  }
+  const double quarter = (last - first) / 4, decade = std::pow(10, std::floor(std::log10(quarter)));
+  const double step = std::max(1.0, decade * (quarter <= 2 * decade ? 2 : quarter <= 5 * decade ? 5 : 10));
+  return fmt::format("set xrange [*:*]\nset xtics {}\nset format x '{}'", step, step < 1000 ? "%.0f" : "%.0s%c");
+}
 
 void draw_front(PanelScript& script, const std::vector<Json>& rows, const std::string& scene, const std::string& cost,
                 const std::string& flag, const char* title) {
@@ -31,9 +42,9 @@ void draw_front(PanelScript& script, const std::vector<Json>& rows, const std::s
   std::string steps;
   for (const auto& [x, y] : line) steps += fmt::format("{} {}\n", x, y);
   script.line(
-      fmt::format("set title {}\nset xlabel {}\nset ylabel 'PSNR against the ideal, dB'\nset key below center "
-                  "horizontal samplen 1\nset format x '{}'",
-                  gnuplot_quoted(short_name(scene)), gnuplot_quoted(title), last - first < 5000 ? "%.0f" : "%.0s%c"));
+      fmt::format("set title {}\nset ylabel 'PSNR against the ideal, dB'\nset key below center horizontal samplen 1",
+                  gnuplot_quoted(short_name(scene) + ": " + title)));
+  script.line(x_axis(first, last));
   std::string plot;
   const auto add = [&](const std::string& data, const std::string& style) {
     if (!data.empty()) plot += (plot.empty() ? "plot " : ", ") + script.data(data) + " " + style;
@@ -42,7 +53,7 @@ void draw_front(PanelScript& script, const std::vector<Json>& rows, const std::s
   add(steps, "with steps lc rgb '#1f6fb4' notitle");
   add(front, "with points pt 7 ps 0.9 lc rgb '#1f6fb4' title 'Pareto front'");
   // Around their points, as they may lie on each other.
-  constexpr const char* kPlaces[] = {"left offset 1.2,-0.9", "right offset -1.2,0", "left offset 1.2,0.5"};
+  constexpr const char* kPlaces[] = {"left offset 1,-0.9", "right offset -1,0.7", "left offset 1,0.7"};
   for (std::size_t n = 0; n < named.size(); ++n) {
     add(named[n], fmt::format("with points pt 4 ps 1.7 lc rgb '#d95f02' {}", n == 0 ? "title 'named'" : "notitle"));
     add(named[n], fmt::format("using 1:2:3 with labels {} tc rgb '#d95f02' notitle", kPlaces[n % 3]));

@@ -42,7 +42,9 @@ std::optional<PanelScript> map_plot(const Sweep& sweep, const std::vector<Json>&
     script.line(fmt::format("set title {}", gnuplot_quoted(short_name(scene.name) + " (×: refused)")));
     const std::string block = script.data(cells);
     std::string plot = fmt::format(
-        "plot {0} using 1:2:3 with image, {0} using 1:2:(sprintf('%.2f', $3)) with labels font ',9'", block);
+        "plot {0} using 1:2:(0.5):(0.5):3 with boxxyerror fs solid noborder fc palette, {0} using 1:2:(sprintf('%.2f', "
+        "$3)) with labels font ',9'",
+        block);
     if (!refused.empty()) plot += fmt::format(", {} with points pt 2 lc rgb '#999999'", script.data(refused));
     script.line(plot);
   }

@@ -11,6 +11,7 @@ import tempfile
 import unittest
 
 HALFSPACE, MODELS = sys.argv[1], pathlib.Path(sys.argv[2])
+COMMANDS = ("render", "vectors", "compare", "config", "package", "report", "bounds", "fit", "stability", "sweep")
 TRIANGLE = "t 1 1 0.5 255 0 0  30 2 0.5 0 255 0  4 20 0.25 0 0 255\n"
 
 
@@ -49,7 +50,7 @@ class CommandLine(unittest.TestCase):
         return lines[0]
 
     def test_help_teaches(self):
-        for command in ([], ["render"], ["vectors"], ["compare"], ["package"], ["report"]):
+        for command in ([], *([name] for name in COMMANDS)):
             text = self.good(*command, "--help")
             self.assertGreater(len(text.splitlines()), 5)
 

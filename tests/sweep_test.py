@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """`halfspace sweep` from end to end: which rows there are and which are refused, measures computed a second time from
-pictures of other commands and from the co-simulation, the Pareto fronts by brute force, and that it goes on where it was
-cut off. Usage: sweep_test.py HALFSPACE TB_PIPELINE_LOW_4"""
+pictures of other commands and from the co-simulation, the Pareto fronts by brute force, and that it goes on where it
+was cut off. Usage: sweep_test.py HALFSPACE TB_PIPELINE_LOW_4"""
 import csv
 import itertools
 import json
@@ -17,8 +17,9 @@ import unittest
 HALFSPACE, BENCH = sys.argv[1], sys.argv[2]
 SIZE = ["--size", "64x48"]
 SUBPIXEL, FRACTION = (1, 3, 4), (8, 12, 13)  # 8 is refused in low
-SWEEP = ["cube", "castle", "--config", "low", *SIZE, "--vary", "subpixel_bits=1,3,4", "--vary", "depth_fraction=8,12..13"]
-# In the place of python3: an area tool whose numbers follow from the package and the lanes, so that a test can tell them.
+SWEEP = ["cube", "castle", "--config", "low", *SIZE, "--vary", "subpixel_bits=1,3,4", "--vary",
+         "depth_fraction=8,12..13"]
+# In the place of python3: an area tool whose numbers follow from the package and the lanes, so that a test knows them.
 FAKE_AREA = """#!/bin/sh
 while [ $# -gt 0 ]; do
   case $1 in --package) package=$2;; --json) json=$2;; --lanes) lanes=$2;; esac
@@ -33,7 +34,8 @@ echo '{"rows": [{"unit": "shade_setup", "target": "xilinx", "lut": 1},
 
 
 def run(*args, **options):
-    return subprocess.run([HALFSPACE, *map(str, args)], capture_output=True, text=True, timeout=120, check=False, **options)
+    return subprocess.run([HALFSPACE, *map(str, args)], capture_output=True, text=True, timeout=120, check=False,
+                          **options)
 
 
 def good(*args, **options):
@@ -101,15 +103,17 @@ class Sweep(unittest.TestCase):
         path = self.root / f"low-subpixel_bits{subpixel}-depth_fraction{fraction}.toml"
         good("config", "low", "--toml", path)
         text = path.read_text().replace("subpixel_bits = 4", f"subpixel_bits = {subpixel}")
-        path.write_text(text.replace("depth_fraction = 13", f"depth_fraction = {fraction}").replace('"low"', f'"{path.stem}"'))
+        text = text.replace("depth_fraction = 13", f"depth_fraction = {fraction}")
+        path.write_text(text.replace('"low"', f'"{path.stem}"'))
         return path
 
     def test_rows_are_the_product_and_the_named(self):
-        numbers = [(row["scene"], int(row["subpixel_bits"]), int(row["depth_fraction"])) for row in self.rows if not row["named"]
-                   or row["named"] == "low"]
+        numbers = [(row["scene"], int(row["subpixel_bits"]), int(row["depth_fraction"])) for row in self.rows
+                   if row["named"] in ("", "low")]
         self.assertEqual(numbers, list(itertools.product(("cube", "castle"), SUBPIXEL, FRACTION)))
         self.assertEqual([row["named"] for row in self.rows if row["named"]], 2 * ["low", "middle", "high"])
-        self.assertEqual([row["config"] for row in self.rows if row["base"] == "true"], 2 * ["low-subpixel_bits4-depth_fraction13"])
+        self.assertEqual([row["config"] for row in self.rows if row["base"] == "true"],
+                         2 * ["low-subpixel_bits4-depth_fraction13"])
         self.assertEqual(self.row("castle", "high")["depth_bits"], "24")
         self.assertEqual({(row["width"], row["height"]) for row in self.rows}, {("64", "48")})
         self.assertEqual(json.loads((self.out / "sweep.json").read_text())["vary"],
@@ -139,8 +143,8 @@ class Sweep(unittest.TestCase):
     def test_measures_of_a_point_from_other_commands(self):
         row, config = self.row("castle", "low-subpixel_bits3-depth_fraction12"), self.toml(3, 12)
         for engine in ("ideal", "ref", "hls"):
-            good("render", "castle", *SIZE, "--engine", engine, "--config", config, "--dump", self.root / engine, "--json",
-                 self.root / f"{engine}.json")
+            good("render", "castle", *SIZE, "--engine", engine, "--config", config, "--dump", self.root / engine,
+                 "--json", self.root / f"{engine}.json")
         index, depth, colour = ({e: read(self.root / e / name) for e in ("ideal", "ref", "hls")} for read, name in
                                 ((words, "index.u32"), (words, "depth.u32"), (channels, "colour.rgba8")))
         pixels = range(64 * 48)
@@ -153,11 +157,13 @@ class Sweep(unittest.TestCase):
         self.assertAlmostEqual(float(row["reference_psnr_db"]) if row["reference_psnr_db"] else math.inf,
                                psnr(colour["ref"], colour["hls"]))
         same = [n for n in pixels if index["ref"][n] == index["hls"][n] != 0]
-        self.assertEqual(int(row["reference_wrong_index_pixels"]), sum(index["ref"][n] != index["hls"][n] for n in pixels))
+        self.assertEqual(int(row["reference_wrong_index_pixels"]),
+                         sum(index["ref"][n] != index["hls"][n] for n in pixels))
         share = sum(depth["ref"][n] != depth["hls"][n] for n in same) / len(same)
         self.assertGreater(share, 0)
         self.assertAlmostEqual(float(row["depth_misrounded_share"]), share)
-        share = sum(colour["ref"][3 * n + c] != colour["hls"][3 * n + c] for n in same for c in range(3)) / (3 * len(same))
+        differ = sum(colour["ref"][3 * n + c] != colour["hls"][3 * n + c] for n in same for c in range(3))
+        share = differ / (3 * len(same))
         self.assertAlmostEqual(float(row["colour_misrounded_share"]), share)
 
     def test_bits_buy_accuracy(self):
@@ -187,8 +193,8 @@ class Sweep(unittest.TestCase):
     def test_pictures(self):
         self.assertEqual(sorted(path.name for path in self.out.glob("*.png")),
                          ["depth_fraction.png", "front.png", "subpixel_bits.png"])
-        good("sweep", "cube", "--config", "low", *SIZE, "--vary", "reciprocal_bits=18..19", "--vary", "colour_fraction=13..14",
-             "--out", self.root / "map")
+        good("sweep", "cube", "--config", "low", *SIZE, "--vary", "reciprocal_bits=18..19",
+             "--vary", "colour_fraction=13..14", "--out", self.root / "map")
         for path in [*self.out.glob("*.png"), *(self.root / "map").glob("*.png")]:
             self.assertEqual(path.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
             self.assertGreater(path.stat().st_size, 8000, path)
@@ -224,7 +230,8 @@ class Sweep(unittest.TestCase):
         self.assertEqual(without_times(table(other)), without_times(whole))
 
     def test_jobs_and_star(self):
-        star = ["cube", "--config", "low", *SIZE, "--star", "--vary", "subpixel_bits=2,4", "--vary", "lanes=1,2", "--no-named"]
+        star = ["cube", "--config", "low", *SIZE, "--star", "--no-named", "--vary", "subpixel_bits=2,4",
+                "--vary", "lanes=1,2"]
         for jobs in (1, 2):
             good("sweep", *star, "--out", self.root / f"star{jobs}", "--jobs", jobs)
         rows = table(self.root / "star1")
@@ -258,13 +265,15 @@ class Sweep(unittest.TestCase):
     def test_bad_input(self):
         (self.root / "a.tri").write_text("size 40 30\nt 1 1 .5 9 9 9  30 2 .5 9 9 9  4 20 .5 9 9 9\n")
         out = self.root / "bad"
-        for args, word in ((["nonesuch"], "nonesuch"), (["cube", "cube"], "twice"), (["cube", "--vary", "bits=1"], "subpixel_bits"),
-                           (["cube", "--vary", "subpixel_bits"], "no values"), (["cube", "--vary", "subpixel_bits=2,x"], "'x'"),
-                           (["cube", "--vary", "subpixel_bits=1..99999"], "fewer"), (["cube", "--vary", "subpixel_bits=4..2"], "no values"),
-                           (["cube", "--vary", "subpixel_bits=1", "--vary", "subpixel_bits=2"], "already"),
-                           (["cube", "--vary", "shading=phong"], "phong"), (["cube", "--config", "none"], "none"),
-                           (["cube", "--size", "9"], "640x480"), ([self.root / "a.tri", "--size", "9x9"], "40x30"),
-                           (["cube", "--area", "asic"], "asic"), (["cube", "--point", "99"], "--list"), (["cube", "--merge"], "--merge")):
+        cases = (
+            (["nonesuch"], "nonesuch"), (["cube", "cube"], "twice"), (["cube", "--config", "none"], "none"),
+            (["cube", "--vary", "bits=1"], "subpixel_bits"), (["cube", "--vary", "subpixel_bits"], "no values"),
+            (["cube", "--vary", "subpixel_bits=2,x"], "'x'"), (["cube", "--vary", "subpixel_bits=1..99999"], "fewer"),
+            (["cube", "--vary", "subpixel_bits=4..2"], "no values"), (["cube", "--vary", "shading=phong"], "phong"),
+            (["cube", "--vary", "subpixel_bits=1", "--vary", "subpixel_bits=2"], "already"),
+            (["cube", "--size", "9"], "640x480"), ([self.root / "a.tri", "--size", "9x9"], "40x30"),
+            (["cube", "--area", "asic"], "asic"), (["cube", "--point", "99"], "--list"), (["cube", "--merge"], "--merge"))
+        for args, word in cases:
             with self.subTest(args):
                 result = run("sweep", *args, "--out", out)
                 self.assertEqual(result.returncode, 1, result.stdout)

@@ -152,6 +152,18 @@ TEST(Trade, PictureErrorCountsWhatDiffers) {
   EXPECT_DOUBLE_EQ(e.psnr, 10 * std::log10(65025.0 * 12 / (0.0625 + 1400)));
 }
 
+TEST(Trade, StoredErrorIsOfTheSameTriangles) {
+  Small s;
+  ref::Frame reference = s.frame;
+  reference.exact_depth = {127.75, 128.5, 0, 0};
+  reference.exact_colour = {{10, 20, 30}, {10, 20.25, 30}, {10, 20, 30}, {99, 99, 99}};
+  s.frame.index[2] = 2;
+  const vectors::StoredError e = vectors::stored_error(reference, s.frame, 8);
+  EXPECT_DOUBLE_EQ(e.depth_largest, 0.5);
+  EXPECT_DOUBLE_EQ(e.colour_largest, 0.25);
+  EXPECT_EQ(vectors::stored_error(reference, s.frame, 0).depth_largest, 0);
+}
+
 TEST(Trade, ShimmerIsWhatChanges) {
   Small s;
   vectors::ShimmerMeter still, flash;
