@@ -107,7 +107,8 @@ Json compare_area(const Fit& fit, const Configuration& high, const std::vector<s
       throw ref::Error("the area tool tells nothing of the pipeline: this is a fault of the program");
     };
     const Json a = pipeline(mine), b = pipeline(theirs);
-    fmt::print("{}:", target);
+    fmt::print("{}, {} lane{} beside {}'s {}:", target, fit.configuration.config().lanes, fit.configuration.config().lanes == 1 ? "" : "s",
+               high.name(), high.config().lanes);
     for (const char* column : {"lut", "ff", "dsp", "memory_bits"}) {
       const double here = a[column].get<double>(), there = b[column].get<double>();
       fmt::print(" {} of {} {}{}", a[column].get<std::uint64_t>(), b[column].get<std::uint64_t>(), column,
