@@ -62,7 +62,8 @@ add_test(NAME interval_middle COMMAND Python3::Interpreter ${interval_tool} $<TA
          ${CMAKE_CURRENT_BINARY_DIR}/interval_middle)
 
 # Multipliers and memories that are left: one multiplier makes the edges, one a depth plane, two the colour planes (their
-# factors are cut), six shade; seven memories without a Z-buffer.
+# factors are cut), six shade; seven memories without a Z-buffer. Type γ: two multipliers more for stored planes, and TdbV, a queue of
+# planes, and two of what is in flight.
 function(halfspace_features_left name multipliers memories)
   set(package ${CMAKE_CURRENT_BINARY_DIR}/model_pipeline_${name}_1/hs_formats_pkg.sv)
   file(GLOB units CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/rtl/hs_*.sv)
@@ -73,4 +74,4 @@ endfunction()
 halfspace_features_left(gouraud_only 9 7)
 halfspace_features_left(flat_depth 2 8)
 halfspace_features_left(flat_only 1 7)
-halfspace_features_left(gamma GM GN)
+halfspace_features_left(gamma 12 11)

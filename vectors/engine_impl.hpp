@@ -150,7 +150,7 @@ class KernelEngine : public Engine {
     if (!F::kTestsPlanes) return stored_depth(x, y, lane, index, std::false_type());
     Bit lanes[F::kLanes] = {};
     lanes[lane] = from_raw<Bit>(1);
-    typename F::Depth depth[F::kLanes];
+    typename F::Depth depth[F::kLanes] = {};
     const DepthEntry<F> plane = buffers_->visibility.entry[int(index) - 1];
     plane_lanes<F>(plane.origin, plane.dx, plane.dy, x << F::kLog2LanesX, y << F::kLog2LanesY, lanes, depth);
     return std::uint32_t(raw(depth[lane]));
