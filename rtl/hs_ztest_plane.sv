@@ -26,9 +26,9 @@ module hs_ztest_plane #(
   localparam int unsigned IndexBits = hs_formats_pkg::IndexBits,
   localparam int unsigned EntryBits = $clog2(hs_formats_pkg::Triangles),
   // A package without depth has neither width, and no use for the unit.
-  localparam int unsigned DepthBits = hs_formats_pkg::HasDepth != 0 ? hs_formats_pkg::DepthBits : 4,
+  localparam int unsigned DepthBits = hs_formats_pkg::HasDepth != 0 ? hs_formats_pkg::DepthBits : 8,
   localparam int unsigned PlaneBits =
-      hs_formats_pkg::HasDepth != 0 ? hs_formats_pkg::DepthPlaneBits : 8,
+      hs_formats_pkg::HasDepth != 0 ? hs_formats_pkg::DepthPlaneBits : 24,
   localparam int unsigned TriangleDepthBits = IndexBits + XBits + YBits + 3 * PlaneBits,
   localparam int unsigned StampBits = 2 + IndexBits + XBits + YBits + Lanes * (1 + DepthBits),
   localparam int unsigned UpdateBits = IndexBits + XBits + YBits + Lanes,
