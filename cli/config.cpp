@@ -21,6 +21,7 @@ Json config_json(const Configuration& configuration) {
   Json json = {{"name", configuration.name()}};
   for (const auto& field : vectors::config_fields()) json[field.name] = c.*field.value;
   json["shading"] = vectors::shading_name(c.shading);
+  json["architecture"] = vectors::architecture_name(c.architecture);
   const FormatTable table = format_table(c);
   for (const auto& field : vectors::format_fields()) {
     if (!field.is_used(c)) continue;
@@ -49,9 +50,13 @@ void print_table(const std::vector<Configuration>& configurations, bool markdown
     for (const Configuration& c : configurations) cells.push_back(std::to_string(c.config().*field.value));
     row(field.name, cells, field.what);
   }
-  std::vector<std::string> shadings;
-  for (const Configuration& c : configurations) shadings.push_back(vectors::shading_name(c.config().shading));
+  std::vector<std::string> shadings, architectures;
+  for (const Configuration& c : configurations) {
+    shadings.push_back(vectors::shading_name(c.config().shading));
+    architectures.push_back(vectors::architecture_name(c.config().architecture));
+  }
   row("shading", shadings, vectors::kShadingWhat);
+  row("architecture", architectures, vectors::kArchitectureWhat);
   for (const auto& field : vectors::format_fields()) {
     std::vector<std::string> cells;
     for (const Configuration& configuration : configurations) {

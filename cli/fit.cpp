@@ -78,7 +78,8 @@ std::vector<std::string> left_out(const Config& c, const vectors::Requirements& 
 }
 
 Json memory_json(const vectors::MemoryBits& m) {
-  return {{"index_buffer", m.index}, {"depth_buffer", m.depth}, {"shading_database", m.shading}, {"total", m.total()}};
+  return {{"index_buffer", m.index}, {"depth_buffer", m.depth}, {"shading_database", m.shading},
+          {"visibility_database", m.visibility}, {"total", m.total()}};
 }
 
 void print_numbers(const Fit& fit, const Configuration& high) {

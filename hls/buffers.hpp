@@ -13,10 +13,10 @@ struct IndexBuffer {
   typename F::Index index[F::kStamps][F::kLanes];
 };
 
-// Its depth; means nothing where the index is 0. Without F::kHasDepth nothing reads or writes it.
+// Its depth; means nothing where the index is 0. Without F::kStoresDepth nothing reads or writes it.
 template <class F>
 struct DepthBuffer {
-  typename F::Depth depth[F::kHasDepth ? F::kStamps : 1][F::kLanes];
+  typename F::Depth depth[F::kStoresDepth ? F::kStamps : 1][F::kLanes];
 };
 
 // TdbS, the triangle database for shading: entry index − 1.
@@ -25,12 +25,27 @@ struct ShadingDatabase {
   Planes<F> planes[F::kTriangles];
 };
 
+// The depth plane of a triangle from the centre of pixel (0, 0) of the frame on, ½ included, modulo 2^b.
+template <class F>
+struct DepthEntry {
+  typename F::DepthPlane origin;
+  typename F::DepthGradient dx, dy;
+};
+
+// TdbV, the triangle database for visibility: entry index − 1, of visible triangles alone. Without F::kTestsPlanes nothing
+// reads or writes it.
+template <class F>
+struct VisibilityDatabase {
+  DepthEntry<F> entry[F::kTestsPlanes ? F::kTriangles : 1];
+};
+
 // I-buffer all 0 before the first frame; a frame leaves it so.
 template <class F>
 struct Buffers {
   IndexBuffer<F> index;
   DepthBuffer<F> depth;
   ShadingDatabase<F> shading;
+  VisibilityDatabase<F> visibility;
 };
 
 }  // namespace halfspace

@@ -10,6 +10,10 @@ namespace halfspace {
 // Gouraud: colours are planes over a triangle. Flat: a triangle has one colour, that of its first vertex as given.
 enum class Shading { kGouraud, kFlat };
 
+// Index rendering, where the depth of a pixel comes from that a fragment is tested against. Type δ: a Z-buffer keeps it.
+// Type γ: there is none; the plane of the triangle whose index is stored is fetched from TdbV and evaluated again.
+enum class Architecture { kDelta, kGamma };
+
 // A configuration, as in its .toml file. Nothing here can be derived from the rest. What is not there has no numbers: they
 // are 0.
 struct Config {
@@ -18,16 +22,20 @@ struct Config {
   int triangles;         // triangles a frame; indices 1 … triangles, 0 is the background
   int range_bits;        // vertices lie in [−2^(range_bits−1), 2^(range_bits−1)) pixels: the guard band
   int subpixel_bits;     // f: fraction bits of a vertex position
-  int depth_bits;        // b of depth: bits of a stored depth; 0: no Z-buffer, the first drawn wins each pixel
+  int depth_bits;        // b of depth: bits of a depth that is compared; 0: no depth, the first drawn wins each pixel
   int colour_bits;       // b of a colour channel
   int reciprocal_bits;   // r: the reciprocal of the area has r fraction bits after its leading one; 0 without planes
   int depth_fraction;    // g of the depth plane: fraction bits of its gradients; 0 without depth
   int colour_fraction;   // g of the colour planes; 0 without Gouraud shading
   int lanes;             // pixels a stamp, 1, 2, 4, 8 or 16: what the units handle in a cycle
   Shading shading = Shading::kGouraud;
+  Architecture architecture = Architecture::kDelta;
 };
 
 constexpr bool has_depth(const Config& c) { return c.depth_bits != 0; }
+// Whether the Z-test reads a stored depth, or the plane of the stored triangle; neither without depth.
+constexpr bool stores_depth(const Config& c) { return has_depth(c) && c.architecture == Architecture::kDelta; }
+constexpr bool tests_planes(const Config& c) { return c.architecture == Architecture::kGamma; }
 constexpr bool is_gouraud(const Config& c) { return c.shading == Shading::kGouraud; }
 // Whether a triangle has a plane at all, and needs the reciprocal of its area.
 constexpr bool has_planes(const Config& c) { return has_depth(c) || is_gouraud(c); }
@@ -72,6 +80,7 @@ enum class Refusal {
   kLanes,               // 1, 2, 4, 8, 16
   kFractionBits,        // 1 … 40 for g, 2 … 40 for r
   kIdleBits,            // a number of what is not there
+  kIdleArchitecture,    // type γ without depth: there is no plane to evaluate
   kFrameOutsideRange,   // the centres of all stamps, and of the stamps around the frame, are positions
   kDepthError,          // the depth plane is off by half an LSB or more
   kColourError,         // the colour planes are off by half an LSB or more
@@ -81,6 +90,7 @@ enum class Refusal {
   kGradientWord,        // so are the halves of the product with the reciprocal, and the half that rounds it
   kStartWord,           // so is the start of a plane
   kShadeWord,           // so is a colour gradient times a pixel coordinate
+  kTestWord,            // and for type γ a depth gradient times a pixel coordinate
 };
 
 // |error| <= 2^(b−r) + (|dx| + |dy|)·2^−(g+1) < ½ LSB, for the farthest vertex that a pixel of the frame can be measured
@@ -108,6 +118,7 @@ constexpr Refusal refusal(const Config& c) {
       (!is_gouraud(c) && c.colour_fraction != 0)) {
     return Refusal::kIdleBits;
   }
+  if (tests_planes(c) && !has_depth(c)) return Refusal::kIdleArchitecture;
   const int longer_side = c.width > c.height ? c.width : c.height;
   const int margin = 3 * 4;  // pixels of the stamps around the frame, 4 at most each way
   if (!within(c.range_bits, 1, 20) || longer_side + margin > 1 << (c.range_bits - 1)) return Refusal::kFrameOutsideRange;
@@ -130,6 +141,7 @@ constexpr Refusal refusal(const Config& c) {
     return Refusal::kStartWord;
   }
   if (c.colour_bits + c.colour_fraction + bits_for(longer_side) > 64) return Refusal::kShadeWord;
+  if (tests_planes(c) && c.depth_bits + c.depth_fraction + bits_for(longer_side) > 64) return Refusal::kTestWord;
   return Refusal::kNone;
 }
 

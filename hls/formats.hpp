@@ -4,6 +4,8 @@
 #ifndef HALFSPACE_HLS_FORMATS_HPP_
 #define HALFSPACE_HLS_FORMATS_HPP_
 
+#include <type_traits>
+
 #include "config.hpp"
 #include "fixed.hpp"
 
@@ -108,6 +110,9 @@ struct Formats {
   static constexpr int kTriangles = config().triangles;
   static constexpr bool kHasDepth = has_depth(config()), kGouraud = is_gouraud(config());
   static constexpr bool kHasPlanes = has_planes(config());
+  static constexpr bool kStoresDepth = stores_depth(config()), kTestsPlanes = tests_planes(config());
+  // Whether ztest_plane is compiled: refusal() holds the words of its products for type γ alone.
+  using CompilesPlaneTest = std::integral_constant<bool, kTestsPlanes>;
   static constexpr int kSubpixelBits = config().subpixel_bits;
   static constexpr int kReciprocalFraction = config().reciprocal_bits;
   static constexpr int kAreaBits = table().area.width;

@@ -10,6 +10,7 @@
 #include "shade_setup.hpp"
 #include "triangle_setup.hpp"
 #include "ztest_index.hpp"
+#include "ztest_plane.hpp"
 
 namespace halfspace {
 
@@ -20,12 +21,26 @@ struct Streams {
   Stream<Attributes<F>> attributes;
   Stream<Planes<F>> planes;
   Stream<Stamp<F>> stamp;
+  Stream<TriangleDepth<F>> triangle_depth;
   Probe<int> visits;
+  Probe<PlaneTests> tests;
   Probe<Update<F>> update;
   Stream<Visible<F>> visible;
   Stream<Scan<F>> scan;
   Stream<Pixel<F>> pixel;
 };
+
+// The stamps of one triangle into the I-buffer: through the Z-test of the architecture.
+template <class F>
+void pipeline_test(Streams<F>& streams, Buffers<F>& buffers, std::false_type) {
+  ztest_index(streams.stamp, buffers.index, buffers.depth, streams.update, streams.visible);
+}
+template <class F>
+void pipeline_test(Streams<F>& streams, Buffers<F>& buffers, std::true_type) {
+  if (!F::kTestsPlanes) return pipeline_test(streams, buffers, std::false_type());
+  ztest_plane(streams.stamp, streams.triangle_depth, buffers.index, buffers.visibility, streams.update, streams.visible,
+              streams.tests);
+}
 
 // One triangle from streams.triangle into the buffers.
 template <class F>
@@ -35,8 +50,8 @@ void pipeline_triangle(const Frame<F>& frame, Streams<F>& streams, Buffers<F>& b
     shade_setup(streams.attributes, streams.planes);
     store_planes(streams.planes, buffers.shading);
   }
-  raster_pineda(frame, streams.setup, streams.stamp, streams.visits);
-  ztest_index(streams.stamp, buffers.index, buffers.depth, streams.update, streams.visible);
+  raster_pineda(frame, streams.setup, streams.stamp, streams.triangle_depth, streams.visits);
+  pipeline_test(streams, buffers, typename F::CompilesPlaneTest());
 }
 
 // Row `y` of the stamps of the finished frame from the I-buffer; rows are taken from the top.

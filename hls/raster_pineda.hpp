@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Pineda edge-function rasterizer: the stamps of a triangle that hold a covered pixel, each once.
+// The Pineda edge-function rasterizer: the stamps of a triangle that hold a covered pixel, each once; and for a Z-test that
+// needs it (type γ) its depth plane before them.
 //
 // A stamp is *near* when each edge function is >= 0 at one of its pixel centres at least; every covered stamp is near.
 // In a row of stamps the near ones are consecutive. The walk takes the rows from the top: it finds a near stamp of the
@@ -128,8 +129,19 @@ Depths:
 }
 
 template <class F>
-void raster_pineda(const Frame<F>& frame, Stream<Setup<F>>& setup, Stream<Stamp<F>>& stamp, Probe<int>& visits) {
+void raster_pineda(const Frame<F>& frame, Stream<Setup<F>>& setup, Stream<Stamp<F>>& stamp,
+                   Stream<TriangleDepth<F>>& triangle_depth, Probe<int>& visits) {
   const Setup<F> in = setup.read();
+  if (F::kTestsPlanes) {
+    TriangleDepth<F> plane;
+    plane.index = in.index;
+    plane.x = in.x_start;
+    plane.y = in.y_min;
+    plane.depth = in.depth;
+    plane.depth_dx = in.depth_dx;
+    plane.depth_dy = in.depth_dy;
+    triangle_depth.write(plane);
+  }
   const WalkSteps<F> steps = walk_steps(in);
   const int x_min = int(raw(in.x_min)), x_max = int(raw(in.x_max)), y_max = int(raw(in.y_max));
 

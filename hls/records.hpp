@@ -5,7 +5,8 @@
 // Packing, manifests, the RTL package and the reports of mismatches all read the layout from there. Fields that
 // come once a lane stand last in the word, lane 0 in the least significant place, and first in memory, where a processor's
 // vectors find them aligned. A field that a configuration has no use for is not visited, so that no word has it: depths without
-// F::kHasDepth, colours of the other vertices and colour planes without F::kGouraud.
+// F::kHasDepth, depths of the Z-buffer without F::kStoresDepth, colours of the other vertices and colour planes without
+// F::kGouraud.
 #ifndef HALFSPACE_HLS_RECORDS_HPP_
 #define HALFSPACE_HLS_RECORDS_HPP_
 
@@ -135,7 +136,25 @@ struct Planes {
   }
 };
 
-// raster_pineda → ztest_index: a stamp with a covered pixel. A triangle that covers none sends one with an empty
+// raster_pineda → ztest_plane, with F::kTestsPlanes alone: the depth plane of each triangle, as in its Setup, before its
+// first stamp. Of an empty triangle it means nothing.
+template <class F>
+struct TriangleDepth {
+  static constexpr const char* kStream = "triangle_depth";
+  typename F::Index index;
+  typename F::X x;  // the stamp whose first pixel the plane starts at
+  typename F::Y y;
+  typename F::DepthPlane depth;
+  typename F::DepthGradient depth_dx, depth_dy;
+
+  template <class V>
+  void visit(V&& v) {
+    v("index", index), v("x", x), v("y", y);
+    v("depth", depth), v("depth_dx", depth_dx), v("depth_dy", depth_dy);
+  }
+};
+
+// raster_pineda → the Z-test, ztest_index or ztest_plane: a stamp with a covered pixel. A triangle that covers none sends one with an empty
 // mask, for the end of the triangle.
 template <class F>
 struct Stamp {
@@ -156,7 +175,12 @@ struct Stamp {
   }
 };
 
-// ztest_index → I-buffer and Z-buffer: a write, of a stamp of which a fragment passed.
+// What the stamps of a triangle cost ztest_plane: cycles, and entries of TdbV that it reads.
+struct PlaneTests {
+  int cycles, entries;
+};
+
+// The Z-test → I-buffer and Z-buffer, if there is one: a write, of a stamp of which a fragment passed.
 template <class F>
 struct Update {
   static constexpr const char* kStream = "update";
@@ -170,11 +194,11 @@ struct Update {
   void visit(V&& v) {
     v("index", index), v("x", x), v("y", y);
     v.lanes("mask", mask);
-    if (F::kHasDepth) v.lanes("depth", depth);
+    if (F::kStoresDepth) v.lanes("depth", depth);
   }
 };
 
-// ztest_index → geometry: a triangle is done, and a fragment of it passed or none did.
+// The Z-test → geometry: a triangle is done, and a fragment of it passed or none did.
 template <class F>
 struct Visible {
   static constexpr const char* kStream = "visible";

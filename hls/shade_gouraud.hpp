@@ -9,7 +9,7 @@
 #define HALFSPACE_HLS_SHADE_GOURAUD_HPP_
 
 #include "buffers.hpp"
-#include "stream.hpp"
+#include "lanes.hpp"
 
 namespace halfspace {
 
@@ -21,28 +21,7 @@ bool store_planes(Stream<Planes<F>>& planes, ShadingDatabase<F>& database) {
   return raw(in.last) != 0;
 }
 
-// The colours of one plane in the lanes that `shade` names, from pixel (x, y) on.
-template <class F>
-void shade_lanes(const typename F::ColourPlane& origin, const typename F::ColourGradient& dx,
-                 const typename F::ColourGradient& dy, int x, int y, const Bit (&shade)[F::kLanes],
-                 typename F::Colour (&colour)[F::kLanes]) {
-  using Plane = typename F::ColourPlane;
-  const Plane along_x = dx * from_raw<typename F::X>(x);
-  const Plane along_y = dy * from_raw<typename F::Y>(y);
-  const Plane start_x = origin + along_x;
-  const Plane start = start_x + along_y;
-  // Unsigned: the planes wrap, and so may these.
-  using Word = typename Plane::Carrier;
-Lanes:
-  for (int l = 0; l < F::kLanes; ++l) {
-    HS_UNROLL
-    const Word step = Word(raw(dx)) * Word(l % F::kLanesX) + Word(raw(dy)) * Word(l / F::kLanesX);
-    const typename F::Colour rounded = from_raw<Plane>(raw(start) + step);
-    colour[l] = from_raw<typename F::Colour>(raw(shade[l]) ? raw(rounded) : raw(colour[l]));
-  }
-}
-
-// The same of a flat triangle.
+// The colour of a flat triangle in the lanes that `shade` names.
 template <class F>
 void flat_lanes(const typename F::ColourPlane& value, const Bit (&shade)[F::kLanes],
                 typename F::Colour (&colour)[F::kLanes]) {
@@ -74,27 +53,14 @@ Background:
 Triangles:
   for (int n = 0; n < F::kLanes; ++n) {
     HS_PIPELINE(1)
-    int first = F::kLanes;  // lane that waits
-  Pick:
-    for (int l = 0; l < F::kLanes; ++l) {
-      HS_UNROLL
-      const int lane = raw(waits[l]) ? l : F::kLanes;
-      first = lane < first ? lane : first;
-    }
-    if (first == F::kLanes) break;
-    const int index = int(raw(in.index[first]));
     Bit shade[F::kLanes];
-  Match:
-    for (int l = 0; l < F::kLanes; ++l) {
-      HS_UNROLL
-      shade[l] = from_raw<Bit>(int(raw(in.index[l])) == index);
-      waits[l] = from_raw<Bit>(raw(waits[l]) & ~raw(shade[l]));
-    }
+    const int index = next_group<F>(in.index, waits, shade);
+    if (index == 0) break;
     const Planes<F>& planes = database.planes[index - 1];
     if (F::kGouraud) {
-      shade_lanes<F>(planes.r, planes.r_dx, planes.r_dy, x, y, shade, out.r);
-      shade_lanes<F>(planes.g, planes.g_dx, planes.g_dy, x, y, shade, out.g);
-      shade_lanes<F>(planes.b, planes.b_dx, planes.b_dy, x, y, shade, out.b);
+      plane_lanes<F>(planes.r, planes.r_dx, planes.r_dy, x, y, shade, out.r);
+      plane_lanes<F>(planes.g, planes.g_dx, planes.g_dy, x, y, shade, out.g);
+      plane_lanes<F>(planes.b, planes.b_dx, planes.b_dy, x, y, shade, out.b);
     } else {
       flat_lanes<F>(planes.r, shade, out.r);
       flat_lanes<F>(planes.g, shade, out.g);

@@ -9,6 +9,9 @@
 //                                                    ▼
 //                                                  pixel
 //
+// Type gamma: ztest_plane, with a stream triangle_depth from raster_pineda, and TdbV stand where
+// ztest_index and the Z-buffer do. Else triangle_depth_o is one bit, 0, never valid.
+//
 // A frame is drawn while the one before is scanned out; see hs_frame_control. Cycles a frame in steady
 // state: the most of triangles × interval of triangle_setup, visited stamps, and groups of
 // shade_gouraud, and a few hundred.
@@ -20,6 +23,7 @@ module hs_pipeline #(
   parameter int unsigned LanesY = 2,
   parameter int unsigned SetupFifoDepth = 512,
   parameter int unsigned StampFifoDepth = 4,
+  parameter int unsigned TriangleDepthFifoDepth = 4,
   parameter int unsigned AttributesFifoDepth = 4,
   parameter int unsigned ScanFifoDepth = 4,
   localparam int unsigned Lanes = LanesX * LanesY,
@@ -27,10 +31,15 @@ module hs_pipeline #(
   localparam int unsigned YBits = hs_formats_pkg::YBits,
   localparam int unsigned IndexBits = hs_formats_pkg::IndexBits,
   localparam int unsigned HasDepth = hs_formats_pkg::HasDepth,
+  localparam int unsigned StoresDepth = hs_formats_pkg::StoresDepth,
+  localparam int unsigned TestsPlanes = HasDepth != 0 && StoresDepth == 0 ? 1 : 0,
   localparam int unsigned DepthBits = hs_formats_pkg::DepthBits,
   localparam int unsigned ColourBits = hs_formats_pkg::ColourBits,
   localparam int unsigned StampBits = 2 + IndexBits + XBits + YBits + Lanes * (1 + DepthBits),
-  localparam int unsigned UpdateBits = IndexBits + XBits + YBits + Lanes * (1 + DepthBits),
+  localparam int unsigned UpdateBits =
+      IndexBits + XBits + YBits + Lanes * (1 + (StoresDepth != 0 ? DepthBits : 0)),
+  localparam int unsigned TriangleDepthBits =
+      TestsPlanes != 0 ? IndexBits + XBits + YBits + 3 * hs_formats_pkg::DepthPlaneBits : 1,
   localparam int unsigned ScanBits = 1 + XBits + YBits + Lanes * IndexBits,
   localparam int unsigned PixelBits = 1 + XBits + YBits + Lanes * 3 * ColourBits
 ) (
@@ -68,6 +77,9 @@ module hs_pipeline #(
   output logic                        planes_valid_o,
   output logic                        planes_ready_o,
   output hs_formats_pkg::planes_t     planes_o,
+  output logic                        triangle_depth_valid_o,
+  output logic                        triangle_depth_ready_o,
+  output logic [TriangleDepthBits-1:0] triangle_depth_o,
   output logic                        stamp_valid_o,
   output logic                        stamp_ready_o,
   output logic [StampBits-1:0]        stamp_o,
@@ -161,18 +173,20 @@ module hs_pipeline #(
     .setup_valid_i (raster_setup_valid),
     .setup_ready_o (raster_setup_ready),
     .setup_i       (raster_setup),
+    .triangle_depth_valid_o(triangle_depth_valid_o),
+    .triangle_depth_ready_i(triangle_depth_ready_o),
+    .triangle_depth_o      (triangle_depth_o),
     .stamp_valid_o (stamp_valid_o),
     .stamp_ready_i (stamp_ready_o),
     .stamp_o       (stamp_o)
   );
 
-  // --- stamp ─► ztest_index ---
+  // --- stamp ─► Z-test: ztest_index and Z-buffer, or ztest_plane and TdbV ---
   logic ztest_stamp_valid, ztest_stamp_ready;
   logic [StampBits-1:0] ztest_stamp;
   logic ztest_read_en, ztest_read_bank, ztest_write_bank;
   logic [AddressBits-1:0] ztest_read_address, ztest_write_address;
   logic [Lanes*IndexBits-1:0] ztest_read_index;
-  logic [DepthsBits-1:0] ztest_read_depth, ztest_write_depth;
   logic [Lanes-1:0] ztest_write_en;
   hs_formats_pkg::index_t ztest_write_index;
 
@@ -190,49 +204,123 @@ module hs_pipeline #(
     .out_o      (ztest_stamp)
   );
 
-  hs_ztest_index #(
-    .LanesX(LanesX),
-    .LanesY(LanesY)
-  ) u_ztest_index (
-    .clk_i          (clk_i),
-    .rst_ni         (rst_ni),
-    .stamp_valid_i  (ztest_stamp_valid),
-    .stamp_ready_o  (ztest_stamp_ready),
-    .stamp_i        (ztest_stamp),
-    .visible_valid_o(visible_valid_o),
-    .visible_ready_i(visible_ready_i),
-    .visible_o      (visible_o),
-    .update_valid_o (update_valid_o),
-    .update_o       (update_o),
-    .read_en_o      (ztest_read_en),
-    .read_bank_o    (ztest_read_bank),
-    .read_address_o (ztest_read_address),
-    .read_index_i   (ztest_read_index),
-    .read_depth_i   (ztest_read_depth),
-    .write_en_o     (ztest_write_en),
-    .write_bank_o   (ztest_write_bank),
-    .write_address_o(ztest_write_address),
-    .write_index_o  (ztest_write_index),
-    .write_depth_o  (ztest_write_depth)
-  );
+  if (TestsPlanes != 0) begin : gen_planes
+    localparam int unsigned EntryPlaneBits = 3 * hs_formats_pkg::DepthPlaneBits;
+    logic ztest_depth_valid, ztest_depth_ready, fetch_en, store_en;
+    logic [TriangleDepthBits-1:0] ztest_depth;
+    logic [EntryBits-1:0] fetch_entry, store_entry;
+    logic [EntryPlaneBits-1:0] fetch_plane, store_plane;
 
-  // --- Z-buffer and I-buffer ---
+    hs_fifo #(
+      .Width(TriangleDepthBits),
+      .Depth(TriangleDepthFifoDepth)
+    ) u_triangle_depth_fifo (
+      .clk_i      (clk_i),
+      .rst_ni     (rst_ni),
+      .in_valid_i (triangle_depth_valid_o),
+      .in_ready_o (triangle_depth_ready_o),
+      .in_i       (triangle_depth_o),
+      .out_valid_o(ztest_depth_valid),
+      .out_ready_i(ztest_depth_ready),
+      .out_o      (ztest_depth)
+    );
+
+    hs_ztest_plane #(
+      .LanesX(LanesX),
+      .LanesY(LanesY)
+    ) u_ztest_plane (
+      .clk_i                 (clk_i),
+      .rst_ni                (rst_ni),
+      .triangle_depth_valid_i(ztest_depth_valid),
+      .triangle_depth_ready_o(ztest_depth_ready),
+      .triangle_depth_i      (ztest_depth),
+      .stamp_valid_i         (ztest_stamp_valid),
+      .stamp_ready_o         (ztest_stamp_ready),
+      .stamp_i               (ztest_stamp),
+      .visible_valid_o       (visible_valid_o),
+      .visible_ready_i       (visible_ready_i),
+      .visible_o             (visible_o),
+      .update_valid_o        (update_valid_o),
+      .update_o              (update_o),
+      .read_en_o             (ztest_read_en),
+      .read_bank_o           (ztest_read_bank),
+      .read_address_o        (ztest_read_address),
+      .read_index_i          (ztest_read_index),
+      .write_en_o            (ztest_write_en),
+      .write_bank_o          (ztest_write_bank),
+      .write_address_o       (ztest_write_address),
+      .write_index_o         (ztest_write_index),
+      .fetch_en_o            (fetch_en),
+      .fetch_entry_o         (fetch_entry),
+      .fetch_plane_i         (fetch_plane),
+      .store_en_o            (store_en),
+      .store_entry_o         (store_entry),
+      .store_plane_o         (store_plane)
+    );
+
+    hs_ram_1r1w #(
+      .Width(EntryPlaneBits),
+      .Depth(1 << EntryBits)
+    ) u_visibility_database (
+      .clk_i          (clk_i),
+      .read_en_i      (fetch_en),
+      .read_address_i (fetch_entry),
+      .read_data_o    (fetch_plane),
+      .write_en_i     (store_en),
+      .write_address_i(store_entry),
+      .write_data_i   (store_plane)
+    );
+  end else begin : gen_depths
+    logic [DepthsBits-1:0] ztest_read_depth, ztest_write_depth;
+    logic unused_triangle_depth;
+
+    assign unused_triangle_depth = ^{triangle_depth_valid_o, triangle_depth_o};
+    assign triangle_depth_ready_o = 1'b1;
+
+    hs_ztest_index #(
+      .LanesX(LanesX),
+      .LanesY(LanesY)
+    ) u_ztest_index (
+      .clk_i          (clk_i),
+      .rst_ni         (rst_ni),
+      .stamp_valid_i  (ztest_stamp_valid),
+      .stamp_ready_o  (ztest_stamp_ready),
+      .stamp_i        (ztest_stamp),
+      .visible_valid_o(visible_valid_o),
+      .visible_ready_i(visible_ready_i),
+      .visible_o      (visible_o),
+      .update_valid_o (update_valid_o),
+      .update_o       (update_o),
+      .read_en_o      (ztest_read_en),
+      .read_bank_o    (ztest_read_bank),
+      .read_address_o (ztest_read_address),
+      .read_index_i   (ztest_read_index),
+      .read_depth_i   (ztest_read_depth),
+      .write_en_o     (ztest_write_en),
+      .write_bank_o   (ztest_write_bank),
+      .write_address_o(ztest_write_address),
+      .write_index_o  (ztest_write_index),
+      .write_depth_o  (ztest_write_depth)
+    );
+
+    hs_depth_buffer #(
+      .Lanes(Lanes),
+      .Depth(StampsX * StampsY)
+    ) u_depth_buffer (
+      .clk_i          (clk_i),
+      .read_en_i      (ztest_read_en),
+      .read_address_i (ztest_read_address),
+      .read_data_o    (ztest_read_depth),
+      .write_en_i     (ztest_write_en),
+      .write_address_i(ztest_write_address),
+      .write_data_i   (ztest_write_depth)
+    );
+  end
+
+  // --- I-buffer ---
   logic scan_read_en, scan_write_en;
   logic [AddressBits-1:0] scan_address;
   logic [Lanes*IndexBits-1:0] scan_read_index;
-
-  hs_depth_buffer #(
-    .Lanes(Lanes),
-    .Depth(StampsX * StampsY)
-  ) u_depth_buffer (
-    .clk_i          (clk_i),
-    .read_en_i      (ztest_read_en),
-    .read_address_i (ztest_read_address),
-    .read_data_o    (ztest_read_depth),
-    .write_en_i     (ztest_write_en),
-    .write_address_i(ztest_write_address),
-    .write_data_i   (ztest_write_depth)
-  );
 
   hs_index_buffer #(
     .Lanes(Lanes),

@@ -6,6 +6,8 @@
 // from a setup to its first stamp: 3 cycles and one stamp more, as each stamp waits for the next
 // one, or for the end of the triangle, which makes it `triangle_last`.
 // Stall: a stamp that is not taken stops the walk once a second one waits behind it.
+// Type gamma: the depth plane of a triangle is offered when its walk begins, at the earliest when
+// that of the one before is taken. Else triangle_depth is one bit, 0, that is never valid.
 // Limits: the frame registers are read when a setup is taken. A setup that is not empty has
 // x_min <= x_start <= x_max and y_min <= y_max inside the frame.
 module hs_raster_pineda #(
@@ -16,7 +18,11 @@ module hs_raster_pineda #(
   localparam int unsigned YBits = hs_formats_pkg::YBits,
   localparam int unsigned IndexBits = hs_formats_pkg::IndexBits,
   localparam int unsigned LanesBits = Lanes * (1 + hs_formats_pkg::DepthBits),
-  localparam int unsigned StampBits = 2 + IndexBits + XBits + YBits + LanesBits
+  localparam int unsigned StampBits = 2 + IndexBits + XBits + YBits + LanesBits,
+  localparam int unsigned TestsPlanes =
+      hs_formats_pkg::HasDepth != 0 && hs_formats_pkg::StoresDepth == 0 ? 1 : 0,
+  localparam int unsigned TriangleDepthBits =
+      TestsPlanes != 0 ? IndexBits + XBits + YBits + 3 * hs_formats_pkg::DepthPlaneBits : 1
 ) (
   input  logic                   clk_i,
   input  logic                   rst_ni,
@@ -29,7 +35,10 @@ module hs_raster_pineda #(
   output logic                   setup_ready_o,
   input  hs_formats_pkg::setup_t setup_i,
 
-  // To ztest_index
+  // To the Z-test
+  output logic                   triangle_depth_valid_o,
+  input  logic                   triangle_depth_ready_i,
+  output logic [TriangleDepthBits-1:0] triangle_depth_o,
   output logic                   stamp_valid_o,
   input  logic                   stamp_ready_i,
   output logic [StampBits-1:0]   stamp_o
@@ -58,7 +67,7 @@ module hs_raster_pineda #(
   logic [Lanes-1:0] inside_frame, mask;
   logic [LanesBits-1:0] lane_fields;
 
-  logic load, visit, found, searching, can_go_right, can_go_left, want_right, want_left;
+  logic load, free, plane_free, visit, found, searching, can_go_right, can_go_left, want_right, want_left;
   logic go_right, go_left, go_back, row_done, triangle_done, finish, covered, hold_ready;
   logic keep_left, keep_below;
   logic [5:0] move;
@@ -98,7 +107,8 @@ module hs_raster_pineda #(
   assign row_done = !go_right && !go_left && !go_back;
   assign triangle_done = empty_q || (row_done && y_q == y_max_q);
   assign finish = visit && triangle_done;
-  assign setup_ready_o = !active_q || finish;
+  assign free = !active_q || finish;
+  assign setup_ready_o = free && plane_free;
   assign load = setup_valid_i && setup_ready_o;
 
   assign keep_left = visit && found && searching;
@@ -110,8 +120,8 @@ module hs_raster_pineda #(
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
       active_q <= 1'b0;
-    end else if (setup_ready_o) begin
-      active_q <= setup_valid_i;
+    end else if (free) begin
+      active_q <= load;
     end
   end
 
@@ -194,6 +204,32 @@ module hs_raster_pineda #(
       .keep_below_i(keep_below),
       .depth_o     (lane_fields[LanesBits-Lanes-1:0])
     );
+  end
+
+  if (TestsPlanes != 0) begin : gen_plane
+    hs_raster_plane #(
+      .PlaneBits(hs_formats_pkg::DepthPlaneBits)
+    ) u_plane (
+      .clk_i                 (clk_i),
+      .rst_ni                (rst_ni),
+      .free_o                (plane_free),
+      .load_i                (load),
+      .index_i               (setup_i.index),
+      .x_i                   (setup_i.x_start),
+      .y_i                   (setup_i.y_min),
+      .depth_i               (setup_i.depth),
+      .dx_i                  (setup_i.depth_dx),
+      .dy_i                  (setup_i.depth_dy),
+      .triangle_depth_valid_o(triangle_depth_valid_o),
+      .triangle_depth_ready_i(triangle_depth_ready_i),
+      .triangle_depth_o      (triangle_depth_o)
+    );
+  end else begin : gen_no_plane
+    logic unused_ready;
+    assign unused_ready = triangle_depth_ready_i;
+    assign plane_free = 1'b1;
+    assign triangle_depth_valid_o = 1'b0;
+    assign triangle_depth_o = 1'b0;
   end
 
   hs_raster_clip #(

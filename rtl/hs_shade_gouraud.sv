@@ -44,7 +44,7 @@ module hs_shade_gouraud #(
   input  logic                    pixel_ready_i,
   output logic [PixelBits-1:0]    pixel_o
 );
-  // From pick to merge: read, data, and the stages of hs_shade_plane.
+  // From pick to merge: read, data, and the stages of hs_plane_lanes.
   localparam int unsigned PlaneStages = Gouraud != 0 ? 5 : 0;
   localparam int unsigned Stages = PlaneStages + 2;
   localparam int unsigned HeadBits = 1 + XBits + YBits;
@@ -56,7 +56,7 @@ module hs_shade_gouraud #(
   hs_formats_pkg::scan_head_t scan_head, stamp_head_q;
   logic [Lanes*IndexBits-1:0] scan_index, stamp_index_q;
   logic [Lanes-1:0] scan_waits, waits_q, group_lanes;
-  hs_formats_pkg::index_t group_index;
+  logic [EntryBits-1:0] group_entry;
   logic bank_q;
 
   // A group: the lanes of one triangle. Stage 0 is read, 1 is data, 2 and on are the planes.
@@ -80,16 +80,17 @@ module hs_shade_gouraud #(
 
   for (genvar lane = 0; lane < Lanes; lane++) begin : gen_pick
     assign scan_waits[lane] = scan_index[lane*IndexBits +: IndexBits] != '0;
-    assign group_lanes[lane] =
-        waits_q[lane] && stamp_index_q[lane*IndexBits +: IndexBits] == group_index;
   end
-  always_comb begin
-    group_index = '0;
-    for (int unsigned i = 1; i <= Lanes; i++) begin
-      if (waits_q[Lanes-i]) group_index = stamp_index_q[(Lanes-i)*IndexBits +: IndexBits];
-    end
-  end
-  assign group_last = (waits_q & ~group_lanes) == '0;
+
+  hs_lane_group #(
+    .Lanes(Lanes)
+  ) u_group (
+    .waits_i(waits_q),
+    .index_i(stamp_index_q),
+    .entry_o(group_entry),
+    .lanes_o(group_lanes),
+    .last_o (group_last)
+  );
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
@@ -121,7 +122,7 @@ module hs_shade_gouraud #(
       lanes_q <= {lanes_q[(Stages-1)*Lanes-1:0], group_lanes};
       heads_q <= {heads_q[(Stages-1)*HeadBits-1:0], stamp_head_q};
       read_bank_q <= bank_q;
-      read_entry_q <= EntryBits'(group_index) - EntryBits'(1);
+      read_entry_q <= group_entry;
     end
   end
 
@@ -134,8 +135,10 @@ module hs_shade_gouraud #(
   // Planes 2, 1, 0 are r, g, b, as in planes_t.
   for (genvar i = 0; i < 3; i++) begin : gen_plane
     if (Gouraud != 0) begin : gen_gouraud
-      hs_shade_plane #(
+      logic [PlaneBits-1:0] unused_first;
+      hs_plane_lanes #(
         .PlaneBits(PlaneBits),
+        .ValueBits(ColourBits),
         .LanesX   (LanesX),
         .LanesY   (LanesY)
       ) u_plane (
@@ -146,7 +149,8 @@ module hs_shade_gouraud #(
         .plane_dy_i(read_planes_i[3*i*PlaneBits +: PlaneBits]),
         .x_i       (heads_q[HeadBits+YBits +: XBits]),
         .y_i       (heads_q[HeadBits +: YBits]),
-        .colour_o  (colour[i*Lanes*ColourBits +: Lanes*ColourBits])
+        .first_o   (unused_first),
+        .value_o   (colour[i*Lanes*ColourBits +: Lanes*ColourBits])
       );
     end else begin : gen_flat
       assign colour[i*Lanes*ColourBits +: Lanes*ColourBits] =

@@ -2,7 +2,8 @@
 // Each unit alone, for the bench: streams as flat ports <unit>_<stream>_valid_i and so on, a clock a unit so that
 // one unit runs while the others cost nothing, and the buffers that a unit reads and writes.
 //
-//   ztest_index    clear_i: 0 into the I-buffer bank of the next frame; the other bank keeps the frame before
+//   ztest          ztest_index or ztest_plane, whichever the pipeline has
+//                  clear_i: 0 into the I-buffer bank of the next frame; the other bank keeps the frame before
 //   scan_index     clear_i: 0 into the I-buffer; `update` words are written into it
 //   shade_gouraud  `planes` words are stored in TdbS
 module hs_units #(
@@ -20,7 +21,11 @@ module hs_units #(
   localparam int unsigned ScanHeadBits = $bits(hs_formats_pkg::scan_head_t),
   localparam int unsigned PixelHeadBits = $bits(hs_formats_pkg::pixel_head_t),
   localparam int unsigned StampBits = StampHeadBits + Lanes * (1 + DepthBits),
-  localparam int unsigned UpdateBits = UpdateHeadBits + Lanes * (1 + DepthBits),
+  localparam int unsigned UpdateBits =
+      UpdateHeadBits + Lanes * (1 + (hs_formats_pkg::StoresDepth != 0 ? DepthBits : 0)),
+  localparam int unsigned TestsPlanes = HasDepth != 0 && hs_formats_pkg::StoresDepth == 0 ? 1 : 0,
+  localparam int unsigned TriangleDepthBits =
+      TestsPlanes != 0 ? IndexBits + hs_formats_pkg::XBits + hs_formats_pkg::YBits + 3 * hs_formats_pkg::DepthPlaneBits : 1,
   localparam int unsigned ScanBits = ScanHeadBits + Lanes * IndexBits,
   localparam int unsigned PixelBits = PixelHeadBits + Lanes * 3 * ColourBits
 ) (
@@ -52,20 +57,26 @@ module hs_units #(
   input  logic                        raster_pineda_setup_valid_i,
   output logic                        raster_pineda_setup_ready_o,
   input  hs_formats_pkg::setup_t      raster_pineda_setup_i,
+  output logic                        raster_pineda_triangle_depth_valid_o,
+  input  logic                        raster_pineda_triangle_depth_ready_i,
+  output logic [TriangleDepthBits-1:0] raster_pineda_triangle_depth_o,
   output logic                        raster_pineda_stamp_valid_o,
   input  logic                        raster_pineda_stamp_ready_i,
   output logic [StampBits-1:0]        raster_pineda_stamp_o,
 
-  input  logic                        ztest_index_clk_i,
-  input  logic                        ztest_index_clear_i,
-  input  logic                        ztest_index_stamp_valid_i,
-  output logic                        ztest_index_stamp_ready_o,
-  input  logic [StampBits-1:0]        ztest_index_stamp_i,
-  output logic                        ztest_index_update_valid_o,
-  output logic [UpdateBits-1:0]       ztest_index_update_o,
-  output logic                        ztest_index_visible_valid_o,
-  input  logic                        ztest_index_visible_ready_i,
-  output hs_formats_pkg::visible_t    ztest_index_visible_o,
+  input  logic                        ztest_clk_i,
+  input  logic                        ztest_clear_i,
+  input  logic                        ztest_triangle_depth_valid_i,
+  output logic                        ztest_triangle_depth_ready_o,
+  input  logic [TriangleDepthBits-1:0] ztest_triangle_depth_i,
+  input  logic                        ztest_stamp_valid_i,
+  output logic                        ztest_stamp_ready_o,
+  input  logic [StampBits-1:0]        ztest_stamp_i,
+  output logic                        ztest_update_valid_o,
+  output logic [UpdateBits-1:0]       ztest_update_o,
+  output logic                        ztest_visible_valid_o,
+  input  logic                        ztest_visible_ready_i,
+  output hs_formats_pkg::visible_t    ztest_visible_o,
 
   input  logic                        scan_index_clk_i,
   input  logic                        scan_index_clear_i,
@@ -135,51 +146,131 @@ module hs_units #(
     .setup_valid_i (raster_pineda_setup_valid_i),
     .setup_ready_o (raster_pineda_setup_ready_o),
     .setup_i       (raster_pineda_setup_i),
+    .triangle_depth_valid_o(raster_pineda_triangle_depth_valid_o),
+    .triangle_depth_ready_i(raster_pineda_triangle_depth_ready_i),
+    .triangle_depth_o      (raster_pineda_triangle_depth_o),
     .stamp_valid_o (raster_pineda_stamp_valid_o),
     .stamp_ready_i (raster_pineda_stamp_ready_i),
     .stamp_o       (raster_pineda_stamp_o)
   );
 
-  // ztest_index, with two I-buffer banks and, if it looks at one, a Z-buffer.
+  // The Z-test, with two I-buffer banks and TdbV or, if it looks at one, a Z-buffer.
   logic ztest_read_en, ztest_read_bank, ztest_read_bank_q, ztest_write_bank, ztest_clear_bank_q;
   logic [AddressBits-1:0] ztest_read_address, ztest_write_address;
   logic [Lanes*IndexBits-1:0] ztest_read_index [2];
-  logic [DepthsBits-1:0] ztest_read_depth, ztest_write_depth;
   logic [Lanes-1:0] ztest_write_en;
   hs_formats_pkg::index_t ztest_write_index;
 
-  hs_ztest_index #(
-    .LanesX(LanesX),
-    .LanesY(LanesY)
-  ) u_ztest_index (
-    .clk_i          (ztest_index_clk_i),
-    .rst_ni         (rst_ni),
-    .stamp_valid_i  (ztest_index_stamp_valid_i),
-    .stamp_ready_o  (ztest_index_stamp_ready_o),
-    .stamp_i        (ztest_index_stamp_i),
-    .visible_valid_o(ztest_index_visible_valid_o),
-    .visible_ready_i(ztest_index_visible_ready_i),
-    .visible_o      (ztest_index_visible_o),
-    .update_valid_o (ztest_index_update_valid_o),
-    .update_o       (ztest_index_update_o),
-    .read_en_o      (ztest_read_en),
-    .read_bank_o    (ztest_read_bank),
-    .read_address_o (ztest_read_address),
-    .read_index_i   (ztest_read_index[ztest_read_bank_q]),
-    .read_depth_i   (ztest_read_depth),
-    .write_en_o     (ztest_write_en),
-    .write_bank_o   (ztest_write_bank),
-    .write_address_o(ztest_write_address),
-    .write_index_o  (ztest_write_index),
-    .write_depth_o  (ztest_write_depth)
-  );
+  if (TestsPlanes != 0) begin : gen_ztest_plane
+    logic fetch_en, store_en;
+    logic [EntryBits-1:0] fetch_entry, store_entry;
+    logic [3*hs_formats_pkg::DepthPlaneBits-1:0] fetch_plane, store_plane;
 
-  always_ff @(posedge ztest_index_clk_i or negedge rst_ni) begin
+    hs_ztest_plane #(
+      .LanesX(LanesX),
+      .LanesY(LanesY)
+    ) u_ztest_plane (
+      .clk_i                 (ztest_clk_i),
+      .rst_ni                (rst_ni),
+      .triangle_depth_valid_i(ztest_triangle_depth_valid_i),
+      .triangle_depth_ready_o(ztest_triangle_depth_ready_o),
+      .triangle_depth_i      (ztest_triangle_depth_i),
+      .stamp_valid_i         (ztest_stamp_valid_i),
+      .stamp_ready_o         (ztest_stamp_ready_o),
+      .stamp_i               (ztest_stamp_i),
+      .update_valid_o        (ztest_update_valid_o),
+      .update_o              (ztest_update_o),
+      .visible_valid_o       (ztest_visible_valid_o),
+      .visible_ready_i       (ztest_visible_ready_i),
+      .visible_o             (ztest_visible_o),
+      .read_en_o             (ztest_read_en),
+      .read_bank_o           (ztest_read_bank),
+      .read_address_o        (ztest_read_address),
+      .read_index_i          (ztest_read_index[ztest_read_bank_q]),
+      .write_en_o            (ztest_write_en),
+      .write_bank_o          (ztest_write_bank),
+      .write_address_o       (ztest_write_address),
+      .write_index_o         (ztest_write_index),
+      .fetch_en_o            (fetch_en),
+      .fetch_entry_o         (fetch_entry),
+      .fetch_plane_i         (fetch_plane),
+      .store_en_o            (store_en),
+      .store_entry_o         (store_entry),
+      .store_plane_o         (store_plane)
+    );
+
+    hs_bench_ram #(
+      .Width(3 * hs_formats_pkg::DepthPlaneBits),
+      .Depth(hs_formats_pkg::Triangles)
+    ) u_visibility (
+      .clk_i          (ztest_clk_i),
+      .clear_i        (1'b0),
+      .read_en_i      (fetch_en),
+      .read_address_i (fetch_entry),
+      .read_data_o    (fetch_plane),
+      .write_en_i     (store_en),
+      .write_address_i(store_entry),
+      .write_data_i   (store_plane)
+    );
+  end else begin : gen_ztest_index
+    logic [DepthsBits-1:0] ztest_read_depth, ztest_write_depth;
+    logic unused_triangle_depth;
+
+    assign unused_triangle_depth = ^{ztest_triangle_depth_valid_i, ztest_triangle_depth_i};
+    assign ztest_triangle_depth_ready_o = 1'b1;
+
+    hs_ztest_index #(
+      .LanesX(LanesX),
+      .LanesY(LanesY)
+    ) u_ztest_index (
+      .clk_i          (ztest_clk_i),
+      .rst_ni         (rst_ni),
+      .stamp_valid_i  (ztest_stamp_valid_i),
+      .stamp_ready_o  (ztest_stamp_ready_o),
+      .stamp_i        (ztest_stamp_i),
+      .visible_valid_o(ztest_visible_valid_o),
+      .visible_ready_i(ztest_visible_ready_i),
+      .visible_o      (ztest_visible_o),
+      .update_valid_o (ztest_update_valid_o),
+      .update_o       (ztest_update_o),
+      .read_en_o      (ztest_read_en),
+      .read_bank_o    (ztest_read_bank),
+      .read_address_o (ztest_read_address),
+      .read_index_i   (ztest_read_index[ztest_read_bank_q]),
+      .read_depth_i   (ztest_read_depth),
+      .write_en_o     (ztest_write_en),
+      .write_bank_o   (ztest_write_bank),
+      .write_address_o(ztest_write_address),
+      .write_index_o  (ztest_write_index),
+      .write_depth_o  (ztest_write_depth)
+    );
+
+    if (HasDepth != 0) begin : gen_ztest_depth
+      hs_bench_ram #(
+        .Width(DepthsBits),
+        .Depth(Stamps),
+        .Lanes(Lanes)
+      ) u_ztest_depth (
+        .clk_i          (ztest_clk_i),
+        .clear_i        (1'b0),
+        .read_en_i      (ztest_read_en),
+        .read_address_i (ztest_read_address),
+        .read_data_o    (ztest_read_depth),
+        .write_en_i     (ztest_write_en),
+        .write_address_i(ztest_write_address),
+        .write_data_i   (ztest_write_depth)
+      );
+    end else begin : gen_no_ztest_depth
+      assign ztest_read_depth = 1'b1;  // nobody looks at it
+    end
+  end
+
+  always_ff @(posedge ztest_clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
       ztest_clear_bank_q <= 1'b0;
       ztest_read_bank_q <= 1'b0;
     end else begin
-      if (ztest_index_clear_i) ztest_clear_bank_q <= !ztest_clear_bank_q;
+      if (ztest_clear_i) ztest_clear_bank_q <= !ztest_clear_bank_q;
       if (ztest_read_en) ztest_read_bank_q <= ztest_read_bank;
     end
   end
@@ -190,8 +281,8 @@ module hs_units #(
       .Depth(Stamps),
       .Lanes(Lanes)
     ) u_index (
-      .clk_i          (ztest_index_clk_i),
-      .clear_i        (ztest_index_clear_i && ztest_clear_bank_q == 1'(bank)),
+      .clk_i          (ztest_clk_i),
+      .clear_i        (ztest_clear_i && ztest_clear_bank_q == 1'(bank)),
       .read_en_i      (ztest_read_en && ztest_read_bank == 1'(bank)),
       .read_address_i (ztest_read_address),
       .read_data_o    (ztest_read_index[bank]),
@@ -199,25 +290,6 @@ module hs_units #(
       .write_address_i(ztest_write_address),
       .write_data_i   ({Lanes{ztest_write_index}})
     );
-  end
-
-  if (HasDepth != 0) begin : gen_ztest_depth
-    hs_bench_ram #(
-      .Width(DepthsBits),
-      .Depth(Stamps),
-      .Lanes(Lanes)
-    ) u_ztest_depth (
-      .clk_i          (ztest_index_clk_i),
-      .clear_i        (1'b0),
-      .read_en_i      (ztest_read_en),
-      .read_address_i (ztest_read_address),
-      .read_data_o    (ztest_read_depth),
-      .write_en_i     (ztest_write_en),
-      .write_address_i(ztest_write_address),
-      .write_data_i   (ztest_write_depth)
-    );
-  end else begin : gen_no_ztest_depth
-    assign ztest_read_depth = 1'b1;  // nobody looks at it
   end
 
   // scan_index, with an I-buffer that `update` words fill before the scan.

@@ -12,7 +12,7 @@ import re
 import subprocess
 import sys
 
-TOPS = ["hs_triangle_setup", "hs_shade_setup", "hs_raster_pineda", "hs_ztest_index", "hs_scan_index",
+TOPS = ["hs_triangle_setup", "hs_shade_setup", "hs_raster_pineda", "hs_ztest_index", "hs_ztest_plane", "hs_scan_index",
         "hs_shade_gouraud", "hs_pipeline"]
 CONFIGS = ["low", "middle", "high"]
 STAMPS = [(1, 1), (2, 2), (4, 4)]

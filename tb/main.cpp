@@ -46,10 +46,10 @@ void report(const Vectors& vectors, const Options& options, const std::vector<Re
 
 int run_benches(Model* model, Vectors* vectors, const Options& options) {
   const std::vector<std::string> units =
-      options.unit == "all" ? unit_names() : std::vector<std::string>{options.unit};
+      options.unit == "all" ? unit_names(*vectors) : std::vector<std::string>{options.unit};
   std::set<std::string> names;
   for (const std::string& unit : units) {
-    for (const std::string& stream : unit_streams(unit)) names.insert(stream);
+    for (const std::string& stream : unit_streams(unit, *vectors)) names.insert(stream);
   }
   load_streams(names, vectors);
   std::vector<Result> results;

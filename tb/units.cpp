@@ -16,6 +16,7 @@ constexpr const char* kScanAfterClear = " (scan after a token with start_clear_i
 
 struct Unit {
   const char* name;
+  const char* ports;                  // what its ports' names begin with
   std::vector<const char*> sends;     // streams it takes
   std::vector<const char*> expects;   // streams and probes it sends
   std::vector<const char*> preloads;  // streams that the bench stores in the unit's buffer before the frame
@@ -23,20 +24,35 @@ struct Unit {
 };
 
 const Unit kUnits[] = {
-    {"triangle_setup", {"triangle"}, {"setup", "attributes"}, {}, false},
-    {"shade_setup", {"attributes"}, {"planes"}, {}, false},
-    {"raster_pineda", {"setup"}, {"stamp"}, {}, false},
-    {"ztest_index", {"stamp"}, {"update", "visible"}, {}, true},
-    {"scan_index", {}, {"scan"}, {"update"}, false},  // and a start token a frame: run_scan
-    {"shade_gouraud", {"scan"}, {"pixel"}, {"planes"}, false},
+    {"triangle_setup", "triangle_setup_", {"triangle"}, {"setup", "attributes"}, {}, false},
+    {"shade_setup", "shade_setup_", {"attributes"}, {"planes"}, {}, false},
+    {"raster_pineda", "raster_pineda_", {"setup"}, {"triangle_depth", "stamp"}, {}, false},
+    {"ztest_index", "ztest_", {"stamp"}, {"update", "visible"}, {}, true},
+    {"ztest_plane", "ztest_", {"triangle_depth", "stamp"}, {"update", "visible"}, {}, true},
+    {"scan_index", "scan_index_", {}, {"scan"}, {"update"}, false},  // and a start token a frame: run_scan
+    {"shade_gouraud", "shade_gouraud_", {"scan"}, {"pixel"}, {"planes"}, false},
 };
 
-const Unit& find_unit(const std::string& name) {
+// The units of the configuration that a vector set is of: its streams tell which Z-test it has, and a stream that it has not
+// is none of theirs.
+std::vector<Unit> units_of(const Vectors& vectors) {
+  const bool tests_planes = vectors.find("triangle_depth") != nullptr;
+  std::vector<Unit> units;
   for (const Unit& unit : kUnits) {
+    if (std::strcmp(unit.name, tests_planes ? "ztest_index" : "ztest_plane") == 0) continue;
+    units.push_back(unit);
+    auto& expects = units.back().expects;
+    if (!tests_planes) expects.erase(std::remove(expects.begin(), expects.end(), std::string("triangle_depth")), expects.end());
+  }
+  return units;
+}
+
+Unit find_unit(const std::string& name, const Vectors& vectors) {
+  for (const Unit& unit : units_of(vectors)) {
     if (name == unit.name) return unit;
   }
   std::string names;
-  for (const Unit& unit : kUnits) names += std::string(names.empty() ? "" : ", ") + unit.name;
+  for (const Unit& unit : units_of(vectors)) names += std::string(names.empty() ? "" : ", ") + unit.name;
   throw Error("--unit " + name + ": there is no such unit; take all or one of " + names);
 }
 
@@ -59,7 +75,7 @@ class UnitBench {
       : unit_(unit),
         vectors_(vectors),
         options_(options),
-        bench_(model, &vectors, &options, std::string(unit.name) + "_", std::string(unit.name) + "_clk_i") {
+        bench_(model, &vectors, &options, unit.ports, std::string(unit.ports) + "clk_i") {
     for (const char* name : unit.preloads) preloads_.push_back(&bench_.add_sender(need_stream(vectors, name)));
     for (const char* name : unit.sends) senders_.push_back(&bench_.add_sender(need_stream(vectors, name)));
     for (const char* name : unit.expects) receivers_.push_back(&bench_.add_receiver(need_stream(vectors, name)));
@@ -171,7 +187,7 @@ class UnitBench {
     return finished;
   }
 
-  const Unit& unit_;
+  const Unit unit_;
   const Vectors& vectors_;
   const Options& options_;
   Bench bench_;
@@ -183,14 +199,14 @@ class UnitBench {
 
 }  // namespace
 
-std::vector<std::string> unit_names() {
+std::vector<std::string> unit_names(const Vectors& vectors) {
   std::vector<std::string> names;
-  for (const Unit& unit : kUnits) names.push_back(unit.name);
+  for (const Unit& unit : units_of(vectors)) names.push_back(unit.name);
   return names;
 }
 
-std::vector<std::string> unit_streams(const std::string& name) {
-  const Unit& unit = find_unit(name);
+std::vector<std::string> unit_streams(const std::string& name, const Vectors& vectors) {
+  const Unit unit = find_unit(name, vectors);
   std::vector<std::string> streams;
   for (const auto* list : {&unit.sends, &unit.expects, &unit.preloads}) {
     streams.insert(streams.end(), list->begin(), list->end());
@@ -199,7 +215,7 @@ std::vector<std::string> unit_streams(const std::string& name) {
 }
 
 Result run_unit(const std::string& unit, Model* model, const Vectors& vectors, const Options& options) {
-  return UnitBench(find_unit(unit), model, vectors, options).run();
+  return UnitBench(find_unit(unit, vectors), model, vectors, options).run();
 }
 
 }  // namespace halfspace::tb

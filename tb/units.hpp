@@ -11,10 +11,10 @@
 namespace halfspace::tb {
 
 // The names of the units, in the order of the data.
-std::vector<std::string> unit_names();
+std::vector<std::string> unit_names(const Vectors&);
 
 // Streams that the bench of `unit` drives, compares or explains with.
-std::vector<std::string> unit_streams(const std::string& unit);
+std::vector<std::string> unit_streams(const std::string& unit, const Vectors&);
 
 // Frame by frame: registers, what the unit finds in its buffers, then its words; a frame ends when all its words were
 // taken and seen, and a pause catches words that are too many.

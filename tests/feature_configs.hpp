@@ -20,6 +20,17 @@ struct FlatOnly {
   static constexpr Config config() { return {"flat_only", 160, 120, 500, 9, 6, 0, 8, 0, 0, 0, 4, Shading::kFlat}; }
 };
 
+struct Gamma {
+  static constexpr Config config() {
+    return {"gamma", 160, 120, 500, 9, 6, 18, 8, 20, 12, 14, 4, Shading::kGouraud, Architecture::kGamma};
+  }
+};
+struct GammaFlat {
+  static constexpr Config config() {
+    return {"gamma_flat", 160, 120, 500, 9, 6, 18, 8, 20, 12, 0, 4, Shading::kFlat, Architecture::kGamma};
+  }
+};
+
 }  // namespace halfspace
 
 #endif  // HALFSPACE_TESTS_FEATURE_CONFIGS_HPP_

@@ -3,7 +3,7 @@
 target_compile_definitions(features_test PRIVATE HALFSPACE_SOURCE="${PROJECT_SOURCE_DIR}")
 
 file(GLOB tops CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/hls/top/*_top.cpp)
-foreach(config IN ITEMS GouraudOnly FlatDepth FlatOnly)
+foreach(config IN ITEMS GouraudOnly FlatDepth FlatOnly Gamma)
   add_library(tops_${config} OBJECT EXCLUDE_FROM_ALL ${tops})
   set_target_properties(tops_${config} PROPERTIES CXX_STANDARD 14 UNITY_BUILD ON)
   add_executable(tops_test_${config} EXCLUDE_FROM_ALL tops_test.cpp $<TARGET_OBJECTS:tops_${config}>)
@@ -18,11 +18,17 @@ foreach(config IN ITEMS GouraudOnly FlatDepth FlatOnly)
   add_test(NAME tops_test_${config} COMMAND tops_test_${config} --gtest_brief=1)
 endforeach()
 
-foreach(name IN ITEMS gouraud_only flat_depth flat_only)
+foreach(name IN ITEMS gouraud_only flat_depth flat_only gamma gamma_flat)
   halfspace_cosim_file(${name} 4 units)
   halfspace_cosim_file(${name} 1 pipeline)
 endforeach()
 halfspace_cosim_file(flat_only 4 pipeline)
+halfspace_cosim_file(gamma 4 pipeline)
+halfspace_cosim_file(gamma 16 pipeline)
+halfspace_cosim_file(gamma_odd 2 units)
+halfspace_cosim_file(gamma_odd 8 pipeline)
+halfspace_cosim_file(gamma_tiny 1 units)
+halfspace_cosim_file(gamma_tiny 16 pipeline)
 
 add_test(NAME faults_flat COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tb/faults/run.py
   --faults ${PROJECT_SOURCE_DIR}/tb/faults/flat.txt --config ${CMAKE_CURRENT_SOURCE_DIR}/configs/flat_only.toml
@@ -31,8 +37,15 @@ add_test(NAME faults_flat COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tb/
   --library $<TARGET_FILE:halfspace_verilated> --verilator ${HALFSPACE_VERILATOR} --cxx ${CMAKE_CXX_COMPILER})
 set_tests_properties(faults_flat PROPERTIES PROCESSORS 2 TIMEOUT 1800)
 
+add_test(NAME faults_gamma COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tb/faults/run.py
+  --faults ${PROJECT_SOURCE_DIR}/tb/faults/gamma.txt --config ${CMAKE_CURRENT_SOURCE_DIR}/configs/gamma.toml
+  --package ${CMAKE_CURRENT_BINARY_DIR}/model_units_gamma_4/hs_formats_pkg.sv --halfspace $<TARGET_FILE:halfspace>
+  --work ${CMAKE_CURRENT_BINARY_DIR}/faults_gamma --jobs 2 --library $<TARGET_FILE:halfspace_tb>
+  --library $<TARGET_FILE:halfspace_verilated> --verilator ${HALFSPACE_VERILATOR} --cxx ${CMAKE_CXX_COMPILER})
+set_tests_properties(faults_gamma PROPERTIES PROCESSORS 2 TIMEOUT 1800)
+
 set(packages "")
-foreach(name IN ITEMS gouraud_only flat_depth flat_only)
+foreach(name IN ITEMS gouraud_only flat_depth flat_only gamma gamma_flat)
   list(APPEND packages --package ${CMAKE_CURRENT_BINARY_DIR}/model_pipeline_${name}_1/hs_formats_pkg.sv)
 endforeach()
 add_test(NAME lint_features COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tb/lint.py --verilator ${HALFSPACE_VERILATOR}
@@ -49,7 +62,8 @@ add_test(NAME interval_middle COMMAND Python3::Interpreter ${interval_tool} $<TA
          ${CMAKE_CURRENT_BINARY_DIR}/interval_middle)
 
 # Multipliers and memories that are left: one multiplier makes the edges, one a depth plane, two the colour planes (their
-# factors are cut), six shade; seven memories without a Z-buffer.
+# factors are cut), six shade; seven memories without a Z-buffer. Type γ: two multipliers more for stored planes, and TdbV, a queue of
+# planes, and two of what is in flight.
 function(halfspace_features_left name multipliers memories)
   set(package ${CMAKE_CURRENT_BINARY_DIR}/model_pipeline_${name}_1/hs_formats_pkg.sv)
   file(GLOB units CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/rtl/hs_*.sv)
@@ -60,3 +74,4 @@ endfunction()
 halfspace_features_left(gouraud_only 9 7)
 halfspace_features_left(flat_depth 2 8)
 halfspace_features_left(flat_only 1 7)
+halfspace_features_left(gamma 12 11)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Gouraud or flat, with depth or without: the kernels against the reference, compiled against read at run time, and what
+// Gouraud or flat, with depth or without, with a Z-buffer or TdbV: the kernels against the reference, compiled against read at run time, and what
 // is not there is in no word, no package and no file.
 #include <gtest/gtest.h>
 
@@ -45,7 +45,7 @@ class Features : public testing::Test {
   }
 };
 
-using Combinations = testing::Types<GouraudDepth, GouraudOnly, FlatDepth, FlatOnly>;
+using Combinations = testing::Types<GouraudDepth, GouraudOnly, FlatDepth, FlatOnly, Gamma>;
 TYPED_TEST_SUITE(Features, Combinations);
 
 template <class S>
@@ -143,9 +143,11 @@ TYPED_TEST(Features, NoWordHasWhatIsNotThere) {
       }
     }
   }
-  EXPECT_EQ(depths, has_depth(this->config) ? " triangle.depth0 triangle.depth1 triangle.depth2 setup.depth setup.depth_dx "
-                                              "setup.depth_dy stamp.depth update.depth"
-                                            : "");
+  const char* const of_setup = " triangle.depth0 triangle.depth1 triangle.depth2 setup.depth setup.depth_dx setup.depth_dy";
+  EXPECT_EQ(depths, stores_depth(this->config)   ? of_setup + std::string(" stamp.depth update.depth")
+                    : tests_planes(this->config) ? of_setup + std::string(" triangle_depth.depth triangle_depth.depth_dx "
+                                                                          "triangle_depth.depth_dy stamp.depth")
+                                                 : "");
   EXPECT_EQ(colours, is_gouraud(this->config) ? " triangle.r0:8 triangle.r1:8 attributes.r0:8 attributes.r1:8 planes.r:22 "
                                                 "planes.r_dx:22 pixel.r:8"
                                               : " triangle.r:8 attributes.r:8 planes.r:8 pixel.r:8");
@@ -157,6 +159,8 @@ TYPED_TEST(Features, PackageHasNoTypeOfWhatIsNotThere) {
   const std::string text = vectors::formats_package(this->configuration);
   const auto has = [&](const char* part) { return text.find(part) != std::string::npos; };
   EXPECT_EQ(has("HasDepth = 1;"), has_depth(this->config));
+  EXPECT_EQ(has("StoresDepth = 1;"), stores_depth(this->config));
+  EXPECT_EQ(has("triangle_depth_t;"), tests_planes(this->config));
   EXPECT_EQ(has("Gouraud = 1;"), is_gouraud(this->config));
   EXPECT_EQ(has("DepthBits = 18;"), has_depth(this->config));
   EXPECT_EQ(has("depth"), has_depth(this->config));
@@ -180,6 +184,7 @@ TYPED_TEST(Features, FileReadsBack) {
   EXPECT_EQ(vectors::configuration_toml(again), toml);
   EXPECT_EQ(vectors::configuration_header(again), vectors::configuration_header(this->configuration));
   EXPECT_EQ(again.config().shading, this->config.shading);
+  EXPECT_EQ(again.config().architecture, this->config.architecture);
   const std::string middle = vectors::configuration_toml(vectors::find_configuration("middle"));
   EXPECT_TRUE(is_gouraud(vectors::parse_configuration(middle.substr(0, middle.find("shading")), "x.toml").config()));
 }

@@ -34,7 +34,8 @@ class CoverageKernel {
     triangle_.write(t);
     triangle_setup(frame_, triangle_, setup_, attributes_);
     if (!attributes_.empty()) attributes_.read();
-    raster_pineda(frame_, setup_, stamp_, visits_);
+    raster_pineda(frame_, setup_, stamp_, triangle_depth_, visits_);
+    if (F::kTestsPlanes) triangle_depth_.read();
     std::fill(covered_.begin(), covered_.end(), 0);
     stamps = covered_stamps = last_flags = outside = 0;
     while (!stamp_.empty()) {
@@ -75,6 +76,7 @@ class CoverageKernel {
   Stream<Setup<F>> setup_;
   Stream<Attributes<F>> attributes_;
   Stream<Stamp<F>> stamp_;
+  Stream<TriangleDepth<F>> triangle_depth_;
   Probe<int> visits_;
   std::vector<int> covered_;
 };

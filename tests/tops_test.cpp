@@ -11,9 +11,11 @@
 extern "C" {
 int triangle_setup_top(int, int, const std::int64_t*, std::int64_t*, std::int64_t*);
 void shade_setup_top(const std::int64_t*, std::int64_t*);
-int raster_pineda_top(int, int, const std::int64_t*, std::int64_t*);
+int raster_pineda_top(int, int, const std::int64_t*, std::int64_t*, std::int64_t*);
 void ztest_index_top(int, const std::int64_t*, halfspace::IndexBuffer<halfspace::TopFormats>*,
                      halfspace::DepthBuffer<halfspace::TopFormats>*, std::int64_t*);
+void ztest_plane_top(int, const std::int64_t*, const std::int64_t*, halfspace::IndexBuffer<halfspace::TopFormats>*,
+                     halfspace::VisibilityDatabase<halfspace::TopFormats>*, std::int64_t*);
 int scan_index_top(int, int, int, halfspace::IndexBuffer<halfspace::TopFormats>*, std::int64_t*);
 void shade_gouraud_top(int, const std::int64_t*, const halfspace::ShadingDatabase<halfspace::TopFormats>*, std::int64_t*);
 }
@@ -38,6 +40,7 @@ TEST(Tops, HaveRoomForEveryField) {
   EXPECT_EQ(field_count<Planes<F>>(), kPlanesFields);
   EXPECT_EQ(field_count<Visible<F>>(), kVisibleFields);
   EXPECT_EQ(field_count<Stamp<F>>(), kStampFields);
+  EXPECT_EQ(field_count<TriangleDepth<F>>(), kTriangleDepthFields);
   EXPECT_EQ(field_count<Update<F>>(), kUpdateFields);
   EXPECT_EQ(field_count<Scan<F>>(), kScanFields);
   EXPECT_EQ(field_count<Pixel<F>>(), kPixelFields);
@@ -70,8 +73,18 @@ TEST(Tops, RenderTheStandardFrames) {
         stream.write(read_fields<Planes<F>>(planes));
         store_planes(stream, buffers->shading);
       }
-      const int count = raster_pineda_top(scene.width, scene.height, setup, stamps.data());
-      ztest_index_top(count, stamps.data(), &buffers->index, &buffers->depth, visible);
+      std::int64_t triangle_depth[kTriangleDepthFields];
+      const int count = raster_pineda_top(scene.width, scene.height, setup, stamps.data(), triangle_depth);
+      if (F::kTestsPlanes) {
+        DepthEntry<F>& entry = buffers->visibility.entry[k];
+        entry.dx = from_raw<F::DepthGradient>(1);
+        const auto dx = from_raw<F::DepthGradient>(triangle_depth[4]);
+        ztest_plane_top(count, stamps.data(), triangle_depth, &buffers->index, &buffers->visibility, visible);
+        // TdbV has the visible triangles alone.
+        EXPECT_EQ(raw(entry.dx), visible[1] ? raw(dx) : 1) << named.note;
+      } else {
+        ztest_index_top(count, stamps.data(), &buffers->index, &buffers->depth, visible);
+      }
       EXPECT_EQ(visible[1] != 0, expected.visible[k]);
     }
     const int background = scene.background[0] << 16 | scene.background[1] << 8 | scene.background[2];

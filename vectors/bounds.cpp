@@ -49,7 +49,7 @@ BoundsReport proved_bounds(const Config& config) {
     bound(kReciprocal, "triangle_setup", "reciprocal, relative", place(config.reciprocal_bits), "triangle_setup_reciprocal", 1);
   }
   exact(kCoverage, "raster_pineda", "coverage");
-  exact(kZtest, "ztest_index", has_depth(config) ? "index and depth kept" : "index kept");
+  exact(kZtest, tests_planes(config) ? "ztest_plane" : "ztest_index", has_depth(config) ? "index and depth kept" : "index kept");
   exact(kScan, "scan_index", "index");
   exact(kColourSteps, "shade_gouraud", is_gouraud(config) ? "colour, from its plane" : "colour, from the triangle");
   if (has_depth(config)) {

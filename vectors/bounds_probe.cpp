@@ -53,7 +53,8 @@ class RuntimeProbe : public KernelProbe {
     std::vector<ProbedPixel> out;
     if (raw(setup_.empty)) return out;
     setup_out_.write(setup_);
-    raster_pineda(frame_, setup_out_, stamp_, visits_);
+    raster_pineda(frame_, setup_out_, stamp_, triangle_depth_, visits_);
+    if (F::kTestsPlanes) triangle_depth_.read();
     while (!stamp_.empty()) {
       const Stamp<F> s = stamp_.read();
       Scan<F> scan{};
@@ -102,6 +103,7 @@ class RuntimeProbe : public KernelProbe {
   Stream<Attributes<F>> attributes_;
   Stream<Planes<F>> planes_;
   Stream<Stamp<F>> stamp_;
+  Stream<TriangleDepth<F>> triangle_depth_;
   Stream<Scan<F>> scan_;
   Stream<Pixel<F>> pixel_;
   Probe<int> visits_;

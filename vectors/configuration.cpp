@@ -23,7 +23,7 @@ const std::vector<ConfigField>& config_fields() {
       {"triangles", &Config::triangles, "a frame"},
       {"range_bits", &Config::range_bits, "vertices lie within ±2^(range_bits−1) pixels: the guard band"},
       {"subpixel_bits", &Config::subpixel_bits, "f: fraction bits of a vertex position"},
-      {"depth_bits", &Config::depth_bits, "of a stored depth; 0: no Z-buffer, the first drawn wins each pixel"},
+      {"depth_bits", &Config::depth_bits, "of a depth that is compared; 0: no depth, the first drawn wins each pixel"},
       {"colour_bits", &Config::colour_bits, "of a channel"},
       {"reciprocal_bits", &Config::reciprocal_bits, "r: fraction bits of the reciprocal of the area; 0 without depth and flat"},
       {"depth_fraction", &Config::depth_fraction, "g: fraction bits of the gradients of depth; 0 without depth"},
@@ -35,6 +35,10 @@ const std::vector<ConfigField>& config_fields() {
 const char* const kShadingWhat = "\"gouraud\", or \"flat\": a triangle has the colour of its first vertex";
 
 const char* shading_name(Shading shading) { return shading == Shading::kFlat ? "flat" : "gouraud"; }
+
+const char* const kArchitectureWhat = "\"delta\": a Z-buffer, or \"gamma\": none, depth is computed again from TdbV";
+
+const char* architecture_name(Architecture architecture) { return architecture == Architecture::kGamma ? "gamma" : "delta"; }
 
 std::string refusal_text(Refusal refusal) {
   switch (refusal) {
@@ -49,6 +53,8 @@ std::string refusal_text(Refusal refusal) {
     case Refusal::kIdleBits:
       return "numbers of what is not there are 0: depth_fraction where depth_bits is 0, colour_fraction where shading is \"flat\", "
              "reciprocal_bits where both are so";
+    case Refusal::kIdleArchitecture:
+      return "architecture \"gamma\" computes a depth again, and there is none: raise depth_bits, or leave the architecture out";
     case Refusal::kFrameOutsideRange:
       return "the frame and 12 pixels around it do not lie within the range of positions: raise range_bits (20 at most) or make "
              "the frame smaller";
@@ -68,6 +74,8 @@ std::string refusal_text(Refusal refusal) {
     case Refusal::kStartWord:
       return "the start of a plane is wider than 63 bits: lower depth_fraction, colour_fraction or subpixel_bits";
     case Refusal::kShadeWord: return "a colour gradient times a coordinate is wider than 64 bits: lower colour_fraction";
+    case Refusal::kTestWord:
+      return "a depth gradient times a coordinate, which architecture \"gamma\" needs, is wider than 64 bits: lower depth_fraction";
   }
   return "unknown reason";
 }
@@ -138,12 +146,20 @@ Configuration parse_configuration(const std::string& text, const std::string& so
       numbers.shading = *value == "flat" ? Shading::kFlat : Shading::kGouraud;
       continue;
     }
+    if (field == "architecture") {
+      const auto value = node.value_exact<std::string>();
+      if (!value || (*value != "delta" && *value != "gamma")) {
+        throw ref::Error(fmt::format("{}:{}: architecture is \"delta\" or \"gamma\"", source, line));
+      }
+      numbers.architecture = *value == "gamma" ? Architecture::kGamma : Architecture::kDelta;
+      continue;
+    }
     const auto& fields = config_fields();
     const auto at = std::find_if(fields.begin(), fields.end(), [&](const ConfigField& f) { return field == f.name; });
     if (at == fields.end()) {
       std::string known = "name";
       for (const ConfigField& f : fields) known += fmt::format(", {}", f.name);
-      known += ", shading";
+      known += ", shading, architecture";
       throw ref::Error(fmt::format("{}:{}: there is no field '{}': the fields are {}", source, line, field, known));
     }
     const auto value = node.value_exact<std::int64_t>();
@@ -172,7 +188,8 @@ std::string configuration_toml(const Configuration& configuration) {
     const std::string line = fmt::format("{} = {}", field.name, c.*field.value);
     text += *field.what ? fmt::format("{:<24}# {}\n", line, field.what) : line + "\n";
   }
-  return text + fmt::format("{:<24}# {}\n", fmt::format("shading = \"{}\"", shading_name(c.shading)), kShadingWhat);
+  text += fmt::format("{:<24}# {}\n", fmt::format("shading = \"{}\"", shading_name(c.shading)), kShadingWhat);
+  return text + fmt::format("{:<24}# {}\n", fmt::format("architecture = \"{}\"", architecture_name(c.architecture)), kArchitectureWhat);
 }
 
 std::string configuration_header(const Configuration& configuration) {
@@ -188,6 +205,7 @@ std::string configuration_header(const Configuration& configuration) {
   const Config c = configuration.config();
   for (const ConfigField& field : config_fields()) numbers += fmt::format(", {}", c.*field.value);
   numbers += c.shading == Shading::kFlat ? ", Shading::kFlat" : ", Shading::kGouraud";
+  if (c.architecture == Architecture::kGamma) numbers += ", Architecture::kGamma";  // kDelta stands in Config
   return fmt::format(
       "// SPDX-License-Identifier: Apache-2.0\n"
       "// Configuration `{0}` for the kernels, in the order of Config. Printed by `halfspace config {0} --header FILE` from its\n"

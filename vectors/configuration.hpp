@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Configurations by name or from a file: TOML with the fields of Config, all of them but `shading`, which is "gouraud" where
-// nothing is said, and nothing else.
+// Configurations by name or from a file: TOML with the fields of Config, all of them but `shading` and `architecture`, which are
+// "gouraud" and "delta" where nothing is said, and nothing else.
 #ifndef HALFSPACE_VECTORS_CONFIGURATION_HPP_
 #define HALFSPACE_VECTORS_CONFIGURATION_HPP_
 
@@ -23,6 +23,9 @@ const std::vector<ConfigField>& config_fields();
 // "gouraud" or "flat", the field `shading`, and what it means.
 const char* shading_name(Shading);
 extern const char* const kShadingWhat;
+// "delta" or "gamma", the field `architecture`.
+const char* architecture_name(Architecture);
+extern const char* const kArchitectureWhat;
 
 // A Config that was accepted, with the name that it points to.
 class Configuration {

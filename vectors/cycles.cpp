@@ -12,6 +12,7 @@ using Cycle = std::int64_t;
 
 // Words a queue holds (parameters of rtl/hs_pipeline.sv); that of setups offers one more.
 constexpr std::size_t kSetupQueue = 512 + 1, kAttributesQueue = 4, kScanQueue = 4;
+constexpr Cycle kStampQueue = 4;
 
 // Passes of a factor of `bits`, its sign not counted, through a multiplier that takes `chunk` of them (hs_plane_setup).
 int passes(int bits, int chunk) { return (bits + chunk - 1) / chunk; }
@@ -73,18 +74,19 @@ class Pipeline {
         attributes_queue_(kAttributesQueue) {}
 
   // Its first triangle is let in at `open`; returns when it is drawn and its planes are stored.
-  Cycle draw(Cycle open, const std::vector<SetupWork>& triangles, const std::vector<int>& visits) {
+  // `tests`: of the Z-test of each triangle; 0 if it is always as fast as the rasterizer.
+  Cycle draw(Cycle open, const std::vector<SetupWork>& triangles, const std::vector<int>& visits, const std::vector<int>& tests) {
     edge_free_ = std::max(edge_free_, open);
     for (std::size_t k = 0; k < triangles.size(); ++k) {
-      triangle(triangles[k], k + 1 == triangles.size(), std::max(visits[k], 1));
+      triangle(triangles[k], k + 1 == triangles.size(), std::max(visits[k], 1), tests[k]);
     }
     constexpr Cycle kToVisible = 8, kToPlanes = 9;
-    return std::max(raster_free_ + kToVisible, shade_free_ + kToPlanes);
+    return std::max(std::max(raster_free_, test_free_) + kToVisible, shade_free_ + kToPlanes);
   }
 
  private:
   // Cycles are those in which a word moves; names as in hs_edge_setup, hs_reciprocal, hs_triangle_setup.
-  void triangle(const SetupWork& t, bool last, int visits) {
+  void triangle(const SetupWork& t, bool last, int visits, int tests) {
     Cycle edge_take, edge_valid, reciprocal_valid = 0;
     if (t.empty) {
       edge_take = std::max(edge_free_ + (t.outside ? 2 : 6), record_take_);
@@ -116,13 +118,16 @@ class Pipeline {
     const Cycle raster_load = std::max(setup_taken + 2, raster_free_);
     setup_queue_.push(raster_load);
     raster_free_ = raster_load + visits;
+    // Its last stamp is in the queue, or has found room there.
+    test_free_ = std::max(raster_free_, std::max(raster_load, test_free_) + tests);
+    if (tests != 0) raster_free_ = std::max(raster_free_, test_free_ - kStampQueue);
   }
 
   const bool has_planes_, has_depth_;
   const int division_, depth_latency_, shade_setup_;
   Ring setup_queue_, attributes_queue_;
   Cycle edge_free_ = 0, divide_load_ = 0, divide_free_ = 0, record_take_ = 0, record_free_ = 0;
-  Cycle shade_free_ = 0, raster_free_ = 0;
+  Cycle shade_free_ = 0, raster_free_ = 0, test_free_ = 0;
 };
 
 // Of the finished frame: its stamps, and for each stamp the different triangles in it, one for background alone.
@@ -175,6 +180,12 @@ Cycles model_cycles(const Config& config, Engine& engine, const ref::SnappedList
     result.shade_setup += work.empty ? 0 : intervals.shade_setup;
   }
   for (const int count : visits) result.raster += std::max(count, 1);
+  std::vector<int> tests(scene.triangles.size());
+  if (tests_planes(config)) {
+    const std::vector<PlaneTests> costs = engine.plane_tests(scene);
+    for (std::size_t k = 0; k < tests.size(); ++k) tests[k] = costs[k].cycles;
+    for (const int count : tests) result.test += std::uint64_t(count);
+  }
   result.scan_out = scan.groups;
 
   Pipeline pipeline(config);
@@ -182,7 +193,7 @@ Cycles model_cycles(const Config& config, Engine& engine, const ref::SnappedList
   Cycle scan_free = 0, shade_free = 0;
   for (int n = 0; n < frames; ++n) {
     const Cycle open = n < 2 ? 0 : pixel_done[n - 2] + 1;
-    const Cycle start = std::max(pipeline.draw(open, triangles, visits), scan_free);
+    const Cycle start = std::max(pipeline.draw(open, triangles, visits, tests), scan_free);
     shade_free = std::max(start + 2, shade_free) + Cycle(scan.groups);
     scan_free = std::max(start + 2 + Cycle(scan.stamps), shade_free - Cycle(kScanQueue));
     constexpr Cycle kToPixel = 9;
@@ -197,12 +208,15 @@ Traffic frame_traffic(const Config& config, Engine& engine, const ref::SnappedLi
   const FormatTable t = format_table(config);
   const ScanWork scan = scan_work(engine, frame);
   const std::uint64_t lanes = std::uint64_t(engine.lanes_x()) * engine.lanes_y();
-  std::uint64_t tested = 0, passed = 0, stored = 0;  // stamps, lanes, entries
+  std::uint64_t tested = 0, passed = 0, stored = 0, visible = 0;  // stamps, lanes, entries, triangles
   engine.capture(scene, [&](const Layout& layout, const Word* words, std::size_t count) {
     if (layout.stream == "stamp") tested = count;
     for (const Field& field : layout.fields) {
       if (layout.stream == "planes" && field.name == "empty") {
         for (std::size_t n = 0; n < count; ++n) stored += !(words[n][field.lsb / 64] >> field.lsb % 64 & 1);
+      }
+      if (layout.stream == "visible" && field.name == "visible") {
+        for (std::size_t n = 0; n < count; ++n) visible += words[n][field.lsb / 64] >> field.lsb % 64 & 1;
       }
       if (layout.stream != "update" || field.name != "mask") continue;
       for (std::size_t n = 0; n < count; ++n) {
@@ -211,7 +225,7 @@ Traffic frame_traffic(const Config& config, Engine& engine, const ref::SnappedLi
     }
   });
   const auto bytes = [](std::uint64_t bits) { return (bits + 7) / 8; };
-  const std::uint64_t index = t.index.width, depth = has_depth(config) ? t.depth.width : 0;
+  const std::uint64_t index = t.index.width, depth = stores_depth(config) ? t.depth.width : 0;
   const std::uint64_t entry = is_gouraud(config) ? 9 * t.colour_plane.width : 3 * t.colour.width;
   Traffic traffic;
   traffic.index_read = bytes((tested + scan.stamps) * lanes * index);
@@ -220,6 +234,13 @@ Traffic frame_traffic(const Config& config, Engine& engine, const ref::SnappedLi
   traffic.depth_written = bytes(passed * depth);
   traffic.planes_read = bytes(scan.entries * entry);
   traffic.planes_written = bytes(stored * entry);
+  if (tests_planes(config)) {
+    const std::uint64_t plane = 3 * t.depth_plane.width;
+    std::uint64_t fetched = 0;
+    for (const PlaneTests& test : engine.plane_tests(scene)) fetched += std::uint64_t(test.entries);
+    traffic.visibility_read = bytes(fetched * plane);
+    traffic.visibility_written = bytes(visible * plane);
+  }
   return traffic;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Cycles a frame of the RTL, and the traffic of its memories, without simulating it.
 //
+// Type γ: the Z-test takes the cycles of ztest_plane; that a stamp waits for one in flight at the same pixels is not modelled.
 // The kernels tell what a frame asks of each unit: stamps visited, triangles in a stamp. The model moves triangles, not
 // clock edges: each unit takes what it offers after its interval and latency, waits for the one before it and for room in
 // the queue behind it (rtl/hs_pipeline.sv), as in the comments of rtl/hs_*.sv. Frames follow each other at once. Held to
@@ -28,7 +29,7 @@ UnitIntervals unit_intervals(const Config&);
 struct Cycles {
   std::uint64_t frame = 0;  // from the last pixel of a frame to the last of the next
   // What the units would take that had never to wait: the slowest of them, and a little, is a frame.
-  std::uint64_t triangle_setup = 0, shade_setup = 0, raster = 0, scan_out = 0;
+  std::uint64_t triangle_setup = 0, shade_setup = 0, raster = 0, test = 0, scan_out = 0;
 };
 
 // `frame` is what `engine` renders `scene` to. Frames drawn back to back: the last is counted.
@@ -41,8 +42,10 @@ struct Traffic {
   std::uint64_t index_read = 0, index_written = 0;    // Z-test, scan-out and its clearing
   std::uint64_t depth_read = 0, depth_written = 0;
   std::uint64_t planes_read = 0, planes_written = 0;  // TdbS
+  std::uint64_t visibility_read = 0, visibility_written = 0;  // TdbV, in the place of the Z-buffer
   std::uint64_t total() const {
-    return index_read + index_written + depth_read + depth_written + planes_read + planes_written;
+    return index_read + index_written + depth_read + depth_written + planes_read + planes_written + visibility_read +
+           visibility_written;
   }
 };
 Traffic frame_traffic(const Config&, Engine& engine, const ref::SnappedList& scene, const ref::Frame& frame);

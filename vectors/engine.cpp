@@ -22,7 +22,10 @@ ref::RasterFormat raster_format(const std::string& name_or_path) { return raster
 std::unique_ptr<Engine> make_engine(const Configuration& configuration, int lanes) {
   const Config config = configuration.config();
   auto is_named = [&](const Configuration& c) {
-    if (c.name() != configuration.name() || c.config().shading != config.shading) return false;
+    if (c.name() != configuration.name() || c.config().shading != config.shading ||
+        c.config().architecture != config.architecture) {
+      return false;
+    }
     for (const ConfigField& field : config_fields()) {
       if (c.config().*field.value != config.*field.value) return false;
     }

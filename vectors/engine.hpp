@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ref/raster.hpp"
-#include "hls/formats.hpp"
+#include "hls/records.hpp"
 #include "ref/snap.hpp"
 #include "vectors/configuration.hpp"
 #include "vectors/layout.hpp"
@@ -25,7 +25,7 @@ class Engine {
 
   virtual int lanes_x() const = 0;
   virtual int lanes_y() const = 0;
-  // In flow order: triangle, setup, attributes, planes, stamp, update, visible, scan, pixel.
+  // In flow order: triangle, setup, attributes, planes, triangle_depth if there is one, stamp, update, visible, scan, pixel.
   virtual std::vector<Layout> layouts() const = 0;
 
   // Renders with the kernels. exact_depth and exact_colour stay empty.
@@ -34,6 +34,8 @@ class Engine {
   virtual void render_colour(const ref::SnappedList& scene, std::vector<std::array<std::uint8_t, 4>>& colour) = 0;
   // How many stamps the rasterizer visits for each triangle, covered or not: its cycles.
   virtual std::vector<int> visits(const ref::SnappedList& scene) = 0;
+  // What the stamps of each triangle cost ztest_plane; of type δ, nothing.
+  virtual std::vector<PlaneTests> plane_tests(const ref::SnappedList& scene) = 0;
   // The same frame, each stream told to `sink` once, in flow order.
   virtual void capture(const ref::SnappedList& scene, const WordSink& sink) = 0;
 };

@@ -20,8 +20,12 @@ class KernelEngine : public Engine {
   int lanes_y() const override { return F::kLanesY; }
 
   std::vector<Layout> layouts() const override {
-    return {layout<Triangle<F>>(), layout<Setup<F>>(), layout<Attributes<F>>(), layout<Planes<F>>(), layout<Stamp<F>>(),
-            layout<Update<F>>(),   layout<Visible<F>>(), layout<Scan<F>>(),     layout<Pixel<F>>()};
+    std::vector<Layout> layouts = {layout<Triangle<F>>(), layout<Setup<F>>(), layout<Attributes<F>>(), layout<Planes<F>>()};
+    if (F::kTestsPlanes) layouts.push_back(layout<TriangleDepth<F>>());
+    for (const Layout& next : {layout<Stamp<F>>(), layout<Update<F>>(), layout<Visible<F>>(), layout<Scan<F>>(), layout<Pixel<F>>()}) {
+      layouts.push_back(next);
+    }
+    return layouts;
   }
 
   ref::Frame render(const ref::SnappedList& scene) override {
@@ -40,13 +44,15 @@ class KernelEngine : public Engine {
   }
 
   std::vector<int> visits(const ref::SnappedList& scene) override {
-    std::vector<int> counts;
-    streams_->visits.tap(&counts);
-    std::vector<std::array<std::uint8_t, 4>> colour;
-    render_colour(scene, colour);
-    streams_->visits.tap(nullptr);
+    std::vector<int> counts = heard(streams_->visits, scene);
     counts.resize(scene.triangles.size());  // a frame without triangles has one that is none
     return counts;
+  }
+
+  std::vector<PlaneTests> plane_tests(const ref::SnappedList& scene) override {
+    std::vector<PlaneTests> tests = heard(streams_->tests, scene);
+    tests.resize(scene.triangles.size());
+    return tests;
   }
 
   void capture(const ref::SnappedList& scene, const WordSink& sink) override {
@@ -55,21 +61,34 @@ class KernelEngine : public Engine {
     std::vector<Setup<F>> setup;
     std::vector<Attributes<F>> attributes;
     std::vector<Planes<F>> planes;
+    std::vector<TriangleDepth<F>> triangle_depth;
     std::vector<Stamp<F>> stamp;
     std::vector<Update<F>> update;
     std::vector<Visible<F>> visible;
     std::vector<Scan<F>> scan;
     std::vector<Pixel<F>> pixel;
-    s.triangle.tap(&triangle), s.setup.tap(&setup), s.attributes.tap(&attributes), s.planes.tap(&planes);
+    s.triangle.tap(&triangle), s.setup.tap(&setup), s.attributes.tap(&attributes), s.planes.tap(&planes), s.triangle_depth.tap(&triangle_depth);
     s.stamp.tap(&stamp), s.update.tap(&update), s.visible.tap(&visible), s.scan.tap(&scan), s.pixel.tap(&pixel);
     render(scene);
-    s.triangle.tap(nullptr), s.setup.tap(nullptr), s.attributes.tap(nullptr), s.planes.tap(nullptr);
+    s.triangle.tap(nullptr), s.setup.tap(nullptr), s.attributes.tap(nullptr), s.planes.tap(nullptr), s.triangle_depth.tap(nullptr);
     s.stamp.tap(nullptr), s.update.tap(nullptr), s.visible.tap(nullptr), s.scan.tap(nullptr), s.pixel.tap(nullptr);
-    tell(triangle, sink), tell(setup, sink), tell(attributes, sink), tell(planes, sink), tell(stamp, sink);
-    tell(update, sink), tell(visible, sink), tell(scan, sink), tell(pixel, sink);
+    tell(triangle, sink), tell(setup, sink), tell(attributes, sink), tell(planes, sink);
+    if (F::kTestsPlanes) tell(triangle_depth, sink);
+    tell(stamp, sink), tell(update, sink), tell(visible, sink), tell(scan, sink), tell(pixel, sink);
   }
 
  private:
+  // What a probe hears of a frame.
+  template <class T>
+  std::vector<T> heard(Probe<T>& probe, const ref::SnappedList& scene) {
+    std::vector<T> values;
+    probe.tap(&values);
+    std::vector<std::array<std::uint8_t, 4>> colour;
+    render_colour(scene, colour);
+    probe.tap(nullptr);
+    return values;
+  }
+
   template <class Record>
   static void tell(const std::vector<Record>& records, const WordSink& sink) {
     const Layout words_layout = layout<Record>();
@@ -123,19 +142,34 @@ class KernelEngine : public Engine {
     return ref::displayed_colour(std::uint32_t(raw(colour)), F::kColourBits);
   }
 
-  // I-buffer and Z-buffer, before the scan-out clears them.
+  // The depth of a pixel, in lane `lane` of a stamp, that triangle `index` > 0 has drawn.
+  std::uint32_t stored_depth(int x, int y, int lane, std::uint32_t, std::false_type) const {
+    return std::uint32_t(raw(buffers_->depth.depth[y * F::kStampsX + x][lane]));
+  }
+  std::uint32_t stored_depth(int x, int y, int lane, std::uint32_t index, std::true_type) const {
+    if (!F::kTestsPlanes) return stored_depth(x, y, lane, index, std::false_type());
+    Bit lanes[F::kLanes] = {};
+    lanes[lane] = from_raw<Bit>(1);
+    typename F::Depth depth[F::kLanes] = {};
+    const DepthEntry<F> plane = buffers_->visibility.entry[int(index) - 1];
+    plane_lanes<F>(plane.origin, plane.dx, plane.dy, x << F::kLog2LanesX, y << F::kLog2LanesY, lanes, depth);
+    return std::uint32_t(raw(depth[lane]));
+  }
+
+  // The I-buffer, before the scan-out clears it, and the depths: of the Z-buffer or of TdbV.
   void copy_buffers(const ref::SnappedList& scene, ref::Frame& frame) const {
     frame.index.resize(std::size_t(scene.width) * scene.height);
     frame.depth.resize(frame.index.size());
     const std::uint32_t farthest = ref::full_depth(F::kDepthBits);
     for (int y = 0; y < scene.height; ++y) {
       for (int x = 0; x < scene.width; ++x) {
-        const int address = (y >> F::kLog2LanesY) * F::kStampsX + (x >> F::kLog2LanesX);
+        const int stamp_x = x >> F::kLog2LanesX, stamp_y = y >> F::kLog2LanesY;
         const int lane = y % F::kLanesY * F::kLanesX + x % F::kLanesX;
-        const std::uint32_t index = raw(buffers_->index.index[address][lane]);
+        const std::uint32_t index = raw(buffers_->index.index[stamp_y * F::kStampsX + stamp_x][lane]);
         frame.index[std::size_t(y) * scene.width + x] = index;
         frame.depth[std::size_t(y) * scene.width + x] =
-            index == 0 || !F::kHasDepth ? farthest : std::uint32_t(raw(buffers_->depth.depth[address][lane]));
+            index == 0 || !F::kHasDepth ? farthest
+                                        : stored_depth(stamp_x, stamp_y, lane, index, typename F::CompilesPlaneTest());
       }
     }
   }

@@ -32,6 +32,10 @@ class RuntimeEngine : public Engine {
     activate();
     return kernels_->visits(scene);
   }
+  std::vector<PlaneTests> plane_tests(const ref::SnappedList& scene) override {
+    activate();
+    return kernels_->plane_tests(scene);
+  }
   void capture(const ref::SnappedList& scene, const WordSink& sink) override {
     activate();
     kernels_->capture(scene, sink);

@@ -233,7 +233,12 @@ MemoryBits memory_bits(const Configuration& configuration) {
       if (field.name != "last" && field.name != "empty" && field.name != "index") planes += field.width * field.count;
     }
   }
-  return {2 * pixels * table.index.width, has_depth(c) ? pixels * table.depth.width : 0, 2 * planes * c.triangles};
+  MemoryBits bits{};
+  bits.index = 2 * pixels * table.index.width;
+  bits.depth = stores_depth(c) ? pixels * table.depth.width : 0;
+  bits.shading = 2 * planes * c.triangles;
+  bits.visibility = tests_planes(c) ? 3 * std::uint64_t(table.depth_plane.width) * c.triangles : 0;
+  return bits;
 }
 
 }  // namespace halfspace::vectors

@@ -72,10 +72,10 @@ Fit fit_configuration(const FitScene&, const std::string& name, const FitGoal&, 
 // the configuration has (compiled if it is a named one) and another number of lanes.
 FitOutcome check_fit(const FitScene&, const Configuration&, const FitGoal&, int lanes);
 
-// Bits of the frame's memories: two banks of I-buffer and TdbS, one Z-buffer.
+// Bits of the frame's memories: two banks of I-buffer and TdbS, one of Z-buffer or TdbV.
 struct MemoryBits {
-  std::uint64_t index, depth, shading;
-  std::uint64_t total() const { return index + depth + shading; }
+  std::uint64_t index, depth, shading, visibility;
+  std::uint64_t total() const { return index + depth + shading + visibility; }
 };
 MemoryBits memory_bits(const Configuration&);
 

@@ -44,6 +44,7 @@ std::string formats_package(const Configuration& configuration) {
   const auto bits = [](bool there, const NumberFormat& format) { return there ? format.width : 0; };
   const std::pair<const char*, int> constants[] = {
       {"HasDepth", depth},
+      {"StoresDepth", stores_depth(c)},
       {"Gouraud", gouraud},
       {"MaxWidth", c.width},
       {"MaxHeight", c.height},

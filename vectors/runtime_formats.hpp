@@ -122,7 +122,8 @@ struct RuntimeFormats {
   static constexpr int kLog2LanesX = exact_log2(kLanesX), kLog2LanesY = exact_log2(kLanesY);
   static inline thread_local int kWidth, kHeight, kStampsX, kStampsY, kStamps, kTriangles, kSubpixelBits,
       kReciprocalFraction, kAreaBits, kDepthBits, kColourBits;
-  static inline thread_local bool kHasDepth, kGouraud, kHasPlanes;
+  using CompilesPlaneTest = std::true_type;
+  static inline thread_local bool kHasDepth, kGouraud, kHasPlanes, kStoresDepth, kTestsPlanes;
 
   static void activate(const Config& c, const FormatTable& table) {
     runtime_table = table;
@@ -135,6 +136,7 @@ struct RuntimeFormats {
     kAreaBits = table.area.width;
     kDepthBits = c.depth_bits, kColourBits = c.colour_bits;
     kHasDepth = has_depth(c), kGouraud = is_gouraud(c), kHasPlanes = has_planes(c);
+    kStoresDepth = stores_depth(c), kTestsPlanes = tests_planes(c);
   }
 
   using X = RuntimeFixed<&FormatTable::x, false>;
@@ -191,21 +193,28 @@ struct IndexBuffer<RuntimeFormats<S>> {
 template <class S>
 struct DepthBuffer<RuntimeFormats<S>> {
   using F = RuntimeFormats<S>;
-  std::vector<RuntimeRow<typename F::Depth, F::kLanes>> depth = decltype(depth)(std::size_t(F::kHasDepth ? F::kStamps : 1));
+  std::vector<RuntimeRow<typename F::Depth, F::kLanes>> depth = decltype(depth)(std::size_t(F::kStoresDepth ? F::kStamps : 1));
 };
 // An address beyond the memory, from an index that was cut, wraps as in a RAM.
+template <class T>
+class RuntimeEntries {
+ public:
+  explicit RuntimeEntries(int count) : entries_(std::size_t(count)) {}
+  T& operator[](int address) { return entries_[std::size_t(address) % entries_.size()]; }
+  const T& operator[](int address) const { return entries_[std::size_t(address) % entries_.size()]; }
+
+ private:
+  std::vector<T> entries_;
+};
 template <class S>
 struct ShadingDatabase<RuntimeFormats<S>> {
   using F = RuntimeFormats<S>;
-  class Memory {
-   public:
-    Planes<F>& operator[](int address) { return entries_[std::size_t(address) % entries_.size()]; }
-    const Planes<F>& operator[](int address) const { return entries_[std::size_t(address) % entries_.size()]; }
-
-   private:
-    std::vector<Planes<F>> entries_ = decltype(entries_)(std::size_t(F::kTriangles));
-  };
-  Memory planes;
+  RuntimeEntries<Planes<F>> planes{F::kTriangles};
+};
+template <class S>
+struct VisibilityDatabase<RuntimeFormats<S>> {
+  using F = RuntimeFormats<S>;
+  RuntimeEntries<DepthEntry<F>> entry{F::kTestsPlanes ? F::kTriangles : 1};
 };
 
 }  // namespace halfspace

@@ -101,7 +101,8 @@ double median_ms(Engine& engine, const ref::SnappedList& scene) {
 bool is_named(const Config& config) {
   for (const Configuration& named : named_configurations()) {
     const Config other = named.config();
-    bool same = named.name() == config.name && other.shading == config.shading;
+    bool same = named.name() == config.name && other.shading == config.shading &&
+                other.architecture == config.architecture;
     for (const ConfigField& field : config_fields()) {
       same = same && (other.*field.value == config.*field.value || field.value == &Config::lanes);
     }

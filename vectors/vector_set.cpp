@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <openssl/evp.h>
 
+#include <cstring>
 #include <fstream>
 #include <map>
 #include <memory>
@@ -24,6 +25,7 @@ struct Ends {
 const std::map<std::string, Ends> kEnds = {
     {"triangle", {"geometry", "triangle_setup", ""}},     {"setup", {"triangle_setup", "raster_pineda", ""}},
     {"attributes", {"triangle_setup", "shade_setup", ""}}, {"planes", {"shade_setup", "tdbs", ""}},
+    {"triangle_depth", {"raster_pineda", "ztest_plane", ""}},
     {"stamp", {"raster_pineda", "ztest_index", ""}},       {"update", {"ztest_index", "buffers", ""}},
     {"visible", {"ztest_index", "geometry", ""}},          {"scan", {"scan_index", "shade_gouraud", ""}},
     {"pixel", {"shade_gouraud", "frame", "scan"}},
@@ -32,7 +34,8 @@ const std::map<std::string, Ends> kEnds = {
 // A .hex file and the digest of its text.
 class HexFile {
  public:
-  HexFile(const std::string& path, const Layout& layout) : path_(path), layout_(layout), file_(path, std::ios::binary) {
+  HexFile(const std::string& path, const Layout& layout, bool tests_planes)
+      : path_(path), layout_(layout), tests_planes_(tests_planes), file_(path, std::ios::binary) {
     EVP_DigestInit_ex(digest_.get(), EVP_sha256(), nullptr);
   }
 
@@ -69,7 +72,10 @@ class HexFile {
                         {"signed", field.is_signed},
                         {"fraction", field.fraction}});
     }
-    const Ends& ends = kEnds.at(layout_.stream);
+    Ends ends = kEnds.at(layout_.stream);
+    if (tests_planes_) {
+      for (const char** end : {&ends.from, &ends.to}) *end = std::strcmp(*end, "ztest_index") ? *end : "ztest_plane";
+    }
     return {{"name", layout_.stream}, {"from", ends.from},  {"to", ends.to},
             {"file", layout_.stream + ".hex"}, {"bits", layout_.bits}, {"words", total},
             {"frame_words", frame_words_},     {"sha256", sha256},     {"context", ends.context},
@@ -84,6 +90,7 @@ class HexFile {
 
   std::string path_;
   Layout layout_;
+  bool tests_planes_;  // ztest_plane stands where ztest_index does in kEnds
   std::ofstream file_;
   std::unique_ptr<EVP_MD_CTX, void (*)(EVP_MD_CTX*)> digest_{EVP_MD_CTX_new(), EVP_MD_CTX_free};
   std::vector<std::size_t> frame_words_;
@@ -100,7 +107,7 @@ std::string write_vector_set(const std::string& folder, const VectorSetOptions& 
   StagedFolder staged(folder);
   std::map<std::string, HexFile> files;
   for (const Layout& layout : engine->layouts()) {
-    files.emplace(layout.stream, HexFile(staged.path(layout.stream + ".hex"), layout));
+    files.emplace(layout.stream, HexFile(staged.path(layout.stream + ".hex"), layout, tests_planes(configuration.config())));
     files.at(layout.stream).comment(fmt::format("{} {} lanes {}: {} bits a word", layout.stream, configuration.name(),
                                                 options.lanes, layout.bits));
   }

@@ -23,8 +23,8 @@ using TopFormats = Formats<HALFSPACE_TOP_CONFIG, HALFSPACE_TOP_STAMP>;
 constexpr int kVertexColours = TopFormats::kGouraud ? 9 : 3, kVertexDepths = TopFormats::kHasDepth ? 3 : 0;
 constexpr int kTriangleFields = 8 + kVertexDepths + kVertexColours, kSetupFields = 17 + (TopFormats::kHasDepth ? 3 : 0);
 constexpr int kAttributesFields = TopFormats::kGouraud ? 20 : 6, kPlanesFields = TopFormats::kGouraud ? 12 : 6;
-constexpr int kStampLanes = (TopFormats::kHasDepth ? 2 : 1) * TopFormats::kLanes;
-constexpr int kStampFields = 5 + kStampLanes, kUpdateFields = 3 + kStampLanes, kVisibleFields = 3;
+constexpr int kStampFields = 5 + (TopFormats::kHasDepth ? 2 : 1) * TopFormats::kLanes, kTriangleDepthFields = 6;
+constexpr int kUpdateFields = 3 + (TopFormats::kStoresDepth ? 2 : 1) * TopFormats::kLanes, kVisibleFields = 3;
 constexpr int kScanFields = 3 + TopFormats::kLanes, kPixelFields = 3 + 3 * TopFormats::kLanes;
 
 class FieldReader {

@@ -3,15 +3,18 @@
 
 using namespace halfspace;
 
-// The stamps of one triangle. Returns how many.
+// The stamps of one triangle, and for type γ its depth plane. Returns how many stamps.
 extern "C" int raster_pineda_top(int width, int height, const std::int64_t setup[kSetupFields],
-                                 std::int64_t stamp[TopFormats::kStamps * kStampFields]) {
+                                 std::int64_t stamp[TopFormats::kStamps * kStampFields],
+                                 std::int64_t triangle_depth[kTriangleDepthFields]) {
   using F = TopFormats;
   Stream<Setup<F>> in;
   Stream<Stamp<F>> out;
   in.write(read_fields<Setup<F>>(setup));
   Probe<int> visits;
-  raster_pineda(top_frame(width, height, 0), in, out, visits);
+  Stream<TriangleDepth<F>> depth;
+  raster_pineda(top_frame(width, height, 0), in, out, depth, visits);
+  if (F::kTestsPlanes) write_fields(depth.read(), triangle_depth);
   int count = 0;
 Stamps:
   for (int n = 0; n < F::kStamps; ++n) {

@@ -4,6 +4,7 @@
 package hs_formats_pkg;
 
   localparam int unsigned HasDepth = 1;
+  localparam int unsigned StoresDepth = 1;
   localparam int unsigned Gouraud = 1;
   localparam int unsigned MaxWidth = 640;
   localparam int unsigned MaxHeight = 480;

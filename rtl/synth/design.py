@@ -14,10 +14,10 @@ import tempfile
 from rtlil import TOP, canonical, memories, module, ports
 from tools import AreaError, run, say
 
-UNITS = ("triangle_setup", "shade_setup", "raster_pineda", "ztest_index", "scan_index", "shade_gouraud")
+UNITS = ("triangle_setup", "shade_setup", "raster_pineda", "ztest_index", "ztest_plane", "scan_index", "shade_gouraud")
 COMPOSITION = "composition"
 # Memories of the frame, which an FPGA may hold elsewhere: they are counted in bits, not mapped.
-BUFFERS = ("depth_buffer", "index_buffer", "shading_database")
+BUFFERS = ("depth_buffer", "visibility_database", "index_buffer", "shading_database")
 LANES = {1: (1, 1), 2: (2, 1), 4: (2, 2), 8: (4, 2), 16: (4, 4)}
 
 
@@ -55,6 +55,9 @@ def elaborate(yosys, rtl, package, lanes, units):
         raise AreaError(f"{package} is not a package of number formats: print one with `halfspace package`")
     title = f"{package}, {lanes} lane{'s' * (lanes > 1)}"
     say(f"{title}: elaboration")
+    # One of the two Z-tests is there: ztest_plane has depth and no Z-buffer.
+    planes = re.search(r" HasDepth = 1;", text) and re.search(r" StoresDepth = 0;", text)
+    units = [unit for unit in units if unit != ("ztest_index" if planes else "ztest_plane")]
     # A unit is elaborated alone, with nothing read but what it stands on: how Yosys names and orders depends on all that
     # it has read before.
     parts = {}
@@ -62,9 +65,9 @@ def elaborate(yosys, rtl, package, lanes, units):
         bodies = flatten(yosys, rtl, package, f"hs_{unit}", lanes, title)
         parts[unit] = part(unit, bodies, f"\\hs_{unit}")
     # A module of its own for each instance: no queue shares the module of a memory of the frame.
-    keep = (f"uniquify; select -set memories {' '.join(f'hs_pipeline.u_{name}*' for name in BUFFERS)} "
+    keep = (f"uniquify; select -set memories {' '.join(f'hs_pipeline.*u_{name}*' for name in BUFFERS)} "
             f"{'%u ' * (len(BUFFERS) - 1)} A:hdlname=*hs_ram_1r1w %i; "
-            f"setattr -mod -set keep_hierarchy 1 @memories {' '.join(f'hs_pipeline.u_{name}' for name in UNITS)}; ")
+            f"setattr -mod -set keep_hierarchy 1 @memories {' '.join(f'hs_pipeline.*u_{name}' for name in UNITS)}; ")
     bodies = flatten(yosys, rtl, package, "hs_pipeline", lanes, title, keep)
     parts[COMPOSITION] = part(COMPOSITION, bodies, "\\hs_pipeline")
     buffers = {}
@@ -117,6 +120,6 @@ def part(name, bodies, top):
 
 
 def instance(module_name):
-    """hs_pipeline.u_index_buffer.gen_bank[0].u_ram: index_buffer."""
-    path = module_name.split(".")
-    return re.sub(r"^u_", "", path[1]) if len(path) > 1 else COMPOSITION
+    """hs_pipeline.gen_depths.u_depth_buffer.gen_depth.u_ram: depth_buffer."""
+    named = re.search(r"\.u_(\w+)", module_name)
+    return named.group(1) if named else COMPOSITION

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// One colour plane of hs_shade_gouraud at all pixels of a stamp: floor(c + dx·x + dy·y), modulo
-// 2^PlaneBits (kernel: shade_lanes in hls/shade_gouraud.hpp).
+// A plane at all pixels of a stamp: the upper ValueBits of c + dx·x + dy·y, modulo 2^PlaneBits
+// (kernel: plane_lanes in hls/lanes.hpp).
 //
 // Interval 1, latency 5 cycles, of those in which en_i is 1. Two multipliers.
-module hs_shade_plane #(
+module hs_plane_lanes #(
   parameter int unsigned PlaneBits,
+  parameter int unsigned ValueBits,
   parameter int unsigned LanesX = 2,
   parameter int unsigned LanesY = 2,
-  localparam int unsigned Lanes = LanesX * LanesY,
-  localparam int unsigned ColourBits = hs_formats_pkg::ColourBits
+  localparam int unsigned Lanes = LanesX * LanesY
 ) (
   input  logic                        clk_i,
   input  logic                        en_i,
@@ -19,7 +19,8 @@ module hs_shade_plane #(
   input  hs_formats_pkg::x_t          x_i,  // in stamps
   input  hs_formats_pkg::y_t          y_i,
 
-  output logic [Lanes*ColourBits-1:0] colour_o
+  output logic [PlaneBits-1:0]        first_o,  // all bits, at the first pixel
+  output logic [Lanes*ValueBits-1:0]  value_o
 );
   // A product with the position in stamps, shifted, loses the top bits of the gradient.
   localparam int unsigned DxBits = PlaneBits - $clog2(LanesX);
@@ -68,17 +69,19 @@ module hs_shade_plane #(
 
     for (genvar column = 0; column < LanesX; column++) begin : gen_column
       localparam int unsigned Lane = row * LanesX + column;
-      logic [PlaneBits-1:0] value;
-      logic [ColourBits-1:0] colour_q;
+      logic [PlaneBits-1:0] value, value_q;
       logic unused_fraction;
 
       assign value = row_q[row*PlaneBits +: PlaneBits] + (column % 2 != 0 ? dx_q4 : '0) +
                      (column / 2 != 0 ? dx_q4 << 1 : '0);
-      assign unused_fraction = ^value[PlaneBits-ColourBits-1:0];
+      assign unused_fraction = ^value_q[PlaneBits-ValueBits-1:0];
       always_ff @(posedge clk_i) begin
-        if (en_i) colour_q <= value[PlaneBits-1 -: ColourBits];
+        if (en_i) value_q <= value;
       end
-      assign colour_o[Lane*ColourBits +: ColourBits] = colour_q;
+      assign value_o[Lane*ValueBits +: ValueBits] = value_q[PlaneBits-1 -: ValueBits];
+      if (Lane == 0) begin : gen_first
+        assign first_o = value_q;
+      end
     end
   end
 endmodule

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// What units do that take the triangles of a stamp one after the other: the lanes of the next triangle, and its plane in
+// these lanes.
+#ifndef HALFSPACE_HLS_LANES_HPP_
+#define HALFSPACE_HLS_LANES_HPP_
+
+#include "records.hpp"
+#include "stream.hpp"
+
+namespace halfspace {
+
+// The triangle of the first lane that waits: returns its index, puts its lanes that wait into `group` and takes them out of
+// `waits`. 0 if no lane waits, as none of index 0 does.
+template <class F>
+int next_group(const typename F::Index (&index)[F::kLanes], Bit (&waits)[F::kLanes], Bit (&group)[F::kLanes]) {
+  int first = F::kLanes;
+Pick:
+  for (int l = 0; l < F::kLanes; ++l) {
+    HS_UNROLL
+    const int lane = raw(waits[l]) ? l : F::kLanes;
+    first = lane < first ? lane : first;
+  }
+  if (first == F::kLanes) return 0;
+  const int triangle = int(raw(index[first]));
+Match:
+  for (int l = 0; l < F::kLanes; ++l) {
+    HS_UNROLL
+    group[l] = from_raw<Bit>(raw(waits[l]) & typename Bit::Carrier(int(raw(index[l])) == triangle));
+    waits[l] = from_raw<Bit>(raw(waits[l]) & ~raw(group[l]));
+  }
+  return triangle;
+}
+
+// The values of a plane, rounded down, in the lanes of `group`, from pixel (x, y) on. Modulo the width of Plane.
+template <class F, class Plane, class Gradient, class Value>
+void plane_lanes(const Plane& origin, const Gradient& dx, const Gradient& dy, int x, int y, const Bit (&group)[F::kLanes],
+                 Value (&value)[F::kLanes]) {
+  const Plane along_x = dx * from_raw<typename F::X>(x);
+  const Plane along_y = dy * from_raw<typename F::Y>(y);
+  const Plane start_x = origin + along_x;
+  const Plane start = start_x + along_y;
+  // Unsigned: the planes wrap, and so may these.
+  using Word = typename Plane::Carrier;
+Lanes:
+  for (int l = 0; l < F::kLanes; ++l) {
+    HS_UNROLL
+    const Word step = Word(raw(dx)) * Word(l % F::kLanesX) + Word(raw(dy)) * Word(l / F::kLanesX);
+    const Value rounded = from_raw<Plane>(raw(start) + step);
+    value[l] = from_raw<Value>(raw(group[l]) ? raw(rounded) : raw(value[l]));
+  }
+}
+
+}  // namespace halfspace
+
+#endif  // HALFSPACE_HLS_LANES_HPP_

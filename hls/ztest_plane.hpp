@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// The Z-test without a Z-buffer (index rendering, type γ): the stored index of a pixel fetches the depth plane of its
+// triangle from TdbV, the triangle database for visibility, and the stored depth is computed again. A triangle of which no
+// fragment passed is reported invisible and leaves nothing in TdbV.
+//
+// A fragment passes when its depth is less than the stored one; the first drawn wins a tie. A pixel of index 0 counts as
+// farthest, 2^b − 1.
+//
+// The depth computed again has the bits of the depth that a Z-buffer would hold, so type γ draws the I-buffer of type δ, in
+// every pixel. The rasterizer begins with P at pixel (x0, y0), adds and subtracts A = dx and B = dy, each b + g bits wide,
+// modulo 2^b, and keeps every bit: at pixel (x, y) it has P + A·(x − x0) + B·(y − y0) mod 2^b, whatever its way there. TdbV
+// holds C = P − A·x0 − B·y0 mod 2^b, A and B, so C + A·x + B·y mod 2^b is the same number, of which both take the upper b
+// bits. This takes all b + g bits of A, B and C: with coefficients cut to fewer, as the 20, 28 and 30 bits of the paper
+// on index rendering, the depth computed again is off by up to (x + y)·2^−(g'+1) and more LSB, g' the fraction bits that are
+// left; an order of two triangles nearer than that can turn round, and differs from type δ's.
+//
+// A cycle for each different triangle stored in the covered lanes of a stamp, one if there is none, and one a triangle for C.
+#ifndef HALFSPACE_HLS_ZTEST_PLANE_HPP_
+#define HALFSPACE_HLS_ZTEST_PLANE_HPP_
+
+#include "buffers.hpp"
+#include "lanes.hpp"
+
+namespace halfspace {
+
+// C, A and B of a triangle.
+template <class F>
+DepthEntry<F> depth_entry(const TriangleDepth<F>& in) {
+  using Plane = typename F::DepthPlane;
+  const int x = int(raw(in.x)) << F::kLog2LanesX, y = int(raw(in.y)) << F::kLog2LanesY;
+  const Plane along_x = in.depth_dx * from_raw<typename F::X>(x);
+  const Plane along_y = in.depth_dy * from_raw<typename F::Y>(y);
+  const Plane origin_x = in.depth - along_x;
+  DepthEntry<F> entry;
+  entry.origin = origin_x - along_y;
+  entry.dx = in.depth_dx;
+  entry.dy = in.depth_dy;
+  return entry;
+}
+
+// The stamps of one triangle. `tests` hears what they cost.
+template <class F>
+void ztest_plane(Stream<Stamp<F>>& stamp, Stream<TriangleDepth<F>>& triangle_depth, IndexBuffer<F>& index_buffer,
+                 VisibilityDatabase<F>& database, Probe<Update<F>>& update, Stream<Visible<F>>& visible,
+                 Probe<PlaneTests>& tests) {
+  using Depth = typename F::Depth;
+  using Index = typename F::Index;
+  const DepthEntry<F> entry = depth_entry(triangle_depth.read());
+  const Depth farthest = from_raw<Depth>((std::int64_t(1) << F::kDepthBits) - 1);
+  PlaneTests cost{1, 0};
+  bool any_of_triangle = false;
+  bool done = false;
+Stamps:
+  for (int n = 0; n < F::kStamps && !done; ++n) {
+    const Stamp<F> in = stamp.read();
+    const int x = int(raw(in.x)), y = int(raw(in.y));
+    Index* const stored = index_buffer.index[y * F::kStampsX + x];
+
+    Index index[F::kLanes];
+    Depth depth[F::kLanes];
+    Bit waits[F::kLanes], group[F::kLanes];
+  Background:
+    for (int l = 0; l < F::kLanes; ++l) {
+      HS_UNROLL
+      index[l] = stored[l];
+      depth[l] = farthest;
+      waits[l] = from_raw<Bit>(raw(in.mask[l]) & typename Bit::Carrier(raw(index[l]) != 0));
+    }
+    int groups = 0;
+  Triangles:
+    for (int m = 0; m < F::kLanes; ++m) {
+      HS_PIPELINE(1)
+      const int triangle = next_group<F>(index, waits, group);
+      if (triangle == 0) break;
+      const DepthEntry<F> plane = database.entry[triangle - 1];
+      plane_lanes<F>(plane.origin, plane.dx, plane.dy, x << F::kLog2LanesX, y << F::kLog2LanesY, group, depth);
+      ++groups;
+    }
+    cost.cycles += groups == 0 ? 1 : groups;
+    cost.entries += groups;
+
+    Update<F> out{};
+    out.index = in.index;
+    out.x = in.x;
+    out.y = in.y;
+    typename Bit::Carrier any = 0;
+  Lanes:
+    for (int l = 0; l < F::kLanes; ++l) {
+      HS_UNROLL
+      const typename Bit::Carrier pass = raw(in.mask[l]) & typename Bit::Carrier(raw(in.depth[l]) < raw(depth[l]));
+      any |= pass;
+      out.mask[l] = from_raw<Bit>(pass);
+      stored[l] = from_raw<Index>(pass ? raw(in.index) : raw(index[l]));
+    }
+    if (any) update.write(out);
+    if (any && !any_of_triangle) database.entry[int(raw(in.index)) - 1] = entry;
+    any_of_triangle = any_of_triangle || any;
+    done = raw(in.triangle_last) != 0;
+    if (done) {
+      Visible<F> result;
+      result.last = in.last;
+      result.visible = from_raw<Bit>(any_of_triangle);
+      result.index = in.index;
+      visible.write(result);
+    }
+  }
+  tests.write(cost);
+}
+
+}  // namespace halfspace
+
+#endif  // HALFSPACE_HLS_ZTEST_PLANE_HPP_
