@@ -55,8 +55,8 @@ constexpr FormatTable lighting_formats(const Config& c, FormatTable t) {
   t.projection = {u + 1, 1, false};
   t.cosine = {u + 1, 1, false};  // 0 … 1
   t.coefficient = {c.colour_bits + kCoefficientHead + kCoefficientFraction, c.colour_bits + kCoefficientHead, false};
-  // Exact: three coefficients a light, each times 1 at most.
-  const int head = t.coefficient.integer + bits_for(3 * lights);
+  // Exact: base, diffuse and specular of each light, times 1 at most.
+  const int head = t.coefficient.integer + bits_for((has_gloss(c) ? 3 : 2) * lights);
   t.light_sum = {head + kCoefficientFraction + u, head, false};
   return t;
 }

@@ -29,6 +29,7 @@ const Unit kUnits[] = {
     {"ztest_index", {"stamp"}, {"update", "visible"}, {}, true},
     {"scan_index", {}, {"scan"}, {"update"}, false},  // and a start token a frame: run_scan
     {"shade_gouraud", {"scan"}, {"pixel"}, {"planes"}, false},
+    {"light_vertex", {"normals"}, {"colours"}, {"light", "material"}, false},
 };
 
 const Unit& find_unit(const std::string& name) {
@@ -183,9 +184,11 @@ class UnitBench {
 
 }  // namespace
 
-std::vector<std::string> unit_names() {
+std::vector<std::string> unit_names(const Model& model) {
   std::vector<std::string> names;
-  for (const Unit& unit : kUnits) names.push_back(unit.name);
+  for (const Unit& unit : kUnits) {
+    if (model.find(std::string(unit.name) + "_clk_i")) names.push_back(unit.name);
+  }
   return names;
 }
 
