@@ -23,24 +23,27 @@ module hs_light_channel #(
   localparam int unsigned ProductBits = CoefficientBits + CosineBits;
 
   logic [CoefficientBits-1:0] base_q;
-  logic [(Ways+1)*SumBits-1:0] partial;
-  logic [SumBits-1:0] sum_q, rounded;
+  logic [Ways*ProductBits-1:0] products_q;
+  logic [SumBits-1:0] sum, sum_q, rounded;
   logic [WholeBits-1:0] whole;
   logic [ColourBits-1:0] colour_q;
   logic unused_fraction;
 
-  assign partial[0 +: SumBits] = (first_i ? '0 : sum_q)
-                                 + (SumBits'(base_q) << (CosineBits - 1));
   for (genvar way = 0; way < Ways; way++) begin : gen_way
-    logic [ProductBits-1:0] product_q;
     always_ff @(posedge clk_i) begin
       if (en_i) begin
-        product_q <= ProductBits'(weights_i[way*CoefficientBits +: CoefficientBits])
-                     * ProductBits'(factors_i[way*CosineBits +: CosineBits]);
+        products_q[way*ProductBits +: ProductBits] <=
+            ProductBits'(weights_i[way*CoefficientBits +: CoefficientBits])
+            * ProductBits'(factors_i[way*CosineBits +: CosineBits]);
       end
     end
-    assign partial[(way+1)*SumBits +: SumBits] =
-        partial[way*SumBits +: SumBits] + SumBits'(product_q);
+  end
+
+  always_comb begin
+    sum = (first_i ? '0 : sum_q) + (SumBits'(base_q) << (CosineBits - 1));
+    for (int unsigned way = 0; way < Ways; way++) begin
+      sum = sum + SumBits'(products_q[way*ProductBits +: ProductBits]);
+    end
   end
 
   assign rounded = sum_q + (SumBits'(1) << (Fraction - 1));
@@ -50,7 +53,7 @@ module hs_light_channel #(
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       base_q <= base_i;
-      sum_q <= partial[Ways*SumBits +: SumBits];
+      sum_q <= sum;
       colour_q <= whole[WholeBits-1:ColourBits] != '0 ? '1 : whole[ColourBits-1:0];
     end
   end

@@ -48,7 +48,14 @@ module hs_light_vertex #(
   logic [3*NormalBits-1:0] normal;
 
   assign {head, material} = normals_i[NormalsBits-1 -: HeadBits+MaterialBits];
-  assign normal = normals_i[32'(LastVertex - vertex_q)*3*NormalBits +: 3*NormalBits];
+  always_comb begin
+    normal = '0;
+    for (int unsigned i = 0; i < Vertices; i++) begin
+      if (vertex_q == VertexBits'(i)) begin
+        normal = normals_i[(Vertices-1-i)*3*NormalBits +: 3*NormalBits];
+      end
+    end
+  end
   assign normals_ready_o = normal_ready && vertex_q == LastVertex;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -63,7 +70,7 @@ module hs_light_vertex #(
   logic colour_valid, colour_ready, is_last;
   logic [TagBits-1:0] colour_tag;
   logic [3*ColourBits-1:0] colour;
-  logic [3*Vertices*ColourBits-1:0] colours, colours_q;
+  logic [3*Vertices*ColourBits-1:0] colours;
 
   assign is_last = colour_tag[VertexBits-1:0] == LastVertex;
   assign colour_ready = !is_last || colours_ready_i;
@@ -76,12 +83,12 @@ module hs_light_vertex #(
     localparam int unsigned Low = c * Vertices * ColourBits;
     assign colours[Low +: ColourBits] = colour[c*ColourBits +: ColourBits];
     if (Vertices > 1) begin : gen_others
-      assign colours[Low+ColourBits +: (Vertices-1)*ColourBits] =
-          colours_q[Low +: (Vertices-1)*ColourBits];
+      logic [(Vertices-1)*ColourBits-1:0] others_q;
+      always_ff @(posedge clk_i) begin
+        if (colour_valid && !is_last) others_q <= colours[Low +: (Vertices-1)*ColourBits];
+      end
+      assign colours[Low+ColourBits +: (Vertices-1)*ColourBits] = others_q;
     end
-  end
-  always_ff @(posedge clk_i) begin
-    if (colour_valid && !is_last) colours_q <= colours;
   end
 
   hs_lighting #(

@@ -118,19 +118,24 @@ module hs_lighting #(
 
   // --- Operands, products, sums, reciprocal root, cosines ---
   logic [3*NormalBits-1:0] normal_q;
-  logic [Ways*WayBits-1:0] chosen_q;
+  logic [Ways*WayBits-1:0] chosen, chosen_q;
   logic signed [LengthBits:0] length;
   logic [ShiftBits-1:0] shift;
   logic [RootBits-1:0] root;
-  logic [Ways*DotBits-1:0] dots;
   logic [Ways*CosineBits-1:0] cosines;
   logic signed [DotBits-1:0] towards_light;
   logic unused_sign;
 
+  always_comb begin
+    chosen = '0;
+    for (int unsigned i = 0; i < Lights; i++) begin
+      if (light_q == LightBits'(i)) chosen = ways_q[i*Ways*WayBits +: Ways*WayBits];
+    end
+  end
   always_ff @(posedge clk_i) begin
     if (go) begin
       normal_q <= normal_i;
-      chosen_q <= ways_q[32'(light_q)*Ways*WayBits +: Ways*WayBits];
+      chosen_q <= chosen;
     end
   end
 
@@ -158,7 +163,6 @@ module hs_lighting #(
   );
 
   // Way Ways − 1 is to the light, as in light_t; way 0 of two half-way to the viewer.
-  assign towards_light = dots[(Ways-1)*DotBits +: DotBits];
   for (genvar way = 0; way < Ways; way++) begin : gen_way
     logic signed [DotBits-1:0] dot;
     hs_light_dot #(
@@ -172,7 +176,9 @@ module hs_lighting #(
       .b_i  (chosen_q[way*WayBits +: WayBits]),
       .sum_o(dot)
     );
-    assign dots[way*DotBits +: DotBits] = dot;
+    if (way == Ways - 1) begin : gen_towards_light
+      assign towards_light = dot;
+    end
 
     hs_light_cosine #(
       .NormalBits(NormalBits)

@@ -20,30 +20,30 @@ module hs_reciprocal_sqrt #(
   localparam int unsigned ValueBits = hs_formats_pkg::RootValueFraction;
   localparam int unsigned SlopeBits = hs_formats_pkg::RootSlopeBits;
   localparam int unsigned EntryBits = ValueBits + SlopeBits;
+  localparam int unsigned EntryPlaces = $clog2(EntryBits);
   localparam int unsigned FieldBits = IndexBits + OffsetBits;
   localparam int unsigned LineBits = ValueBits + OffsetBits;
   localparam int unsigned Dropped = LineBits - RootBits;
   localparam int unsigned Top = LengthBits - 1;
   localparam int unsigned Steps = 5;
 
+  if (EntryBits != 1 << EntryPlaces) begin : gen_entry_illegal
+    $error("hs_reciprocal_sqrt: an entry of the table is a power of two of bits");
+  end
+
   // Normalization, by 16 pairs of bits, 8, 4, 2 and 1.
-  logic [(Steps+1)*LengthBits-1:0] shifted;
+  logic [LengthBits-1:0] normalized, length_q, aligned;
   logic [Steps-1:0] places;
-  logic [LengthBits-1:0] length_q, aligned;
   logic [ShiftBits-1:0] shift_q;
 
-  assign shifted[0 +: LengthBits] = length_i;
-  for (genvar i = 0; i < Steps; i++) begin : gen_step
-    localparam int unsigned Bits = 32 >> i;
-    logic [LengthBits-1:0] before;
-    assign before = shifted[i*LengthBits +: LengthBits];
-    if (Bits <= Top) begin : gen_shift
-      assign places[Steps-1-i] = before[Top -: Bits] == '0;
-      assign shifted[(i+1)*LengthBits +: LengthBits] =
-          places[Steps-1-i] ? before << Bits : before;
-    end else begin : gen_none
-      assign places[Steps-1-i] = 1'b0;
-      assign shifted[(i+1)*LengthBits +: LengthBits] = before;
+  always_comb begin
+    normalized = length_i;
+    places = '0;
+    for (int unsigned i = 0; i < Steps; i++) begin
+      if ((32 >> i) <= Top && normalized >> (LengthBits - (32 >> i)) == '0) begin
+        normalized = normalized << (32 >> i);
+        places[Steps-1-i] = 1'b1;
+      end
     end
   end
 
@@ -66,10 +66,10 @@ module hs_reciprocal_sqrt #(
 
   always_ff @(posedge clk_i) begin
     if (en_i) begin
-      length_q <= shifted[Steps*LengthBits +: LengthBits];
+      length_q <= normalized;
       shift_q <= ShiftBits'(places);
 
-      entry_q <= hs_formats_pkg::RootTable[32'(index)*EntryBits +: EntryBits];
+      entry_q <= hs_formats_pkg::RootTable[{index, {EntryPlaces{1'b0}}} +: EntryBits];
       offset_q <= field[OffsetBits-1:0];
 
       value_q <= entry_q[EntryBits-1 -: ValueBits];

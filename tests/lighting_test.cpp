@@ -213,13 +213,13 @@ TEST(LightingFormats, FilesAndHeadersAgree) {
   }
 }
 
-// With the top bit of a width taken away something that leaves the unit changes.
+// With the top bit of a width taken away the sums change.
 TEST_P(Lighting, NoWidthIsABitTooWide) {
   const Config config = GetParam();
   const auto frames = vectors::lighting_frames(config, 1);
   const auto right = vectors::make_lighting_engine(config);
-  std::vector<std::vector<std::array<std::array<int, 3>, 3>>> colours;
-  for (const LightingFrame& frame : frames) colours.push_back(right->colours(frame));
+  std::vector<std::vector<std::array<std::array<std::uint64_t, 3>, 3>>> sums;
+  for (const LightingFrame& frame : frames) sums.push_back(right->sums(frame));
   for (const vectors::FormatField& field : vectors::lighting_format_fields()) {
     FormatTable table = format_table(config);
     NumberFormat& format = table.*field.format;
@@ -228,7 +228,7 @@ TEST_P(Lighting, NoWidthIsABitTooWide) {
     --format.integer;
     const auto narrower = vectors::make_lighting_engine(config, table);
     bool differs = false;
-    for (std::size_t f = 0; f < frames.size() && !differs; ++f) differs = narrower->colours(frames[f]) != colours[f];
+    for (std::size_t f = 0; f < frames.size() && !differs; ++f) differs = narrower->sums(frames[f]) != sums[f];
     EXPECT_TRUE(differs) << field.name << " of " << config.name << " can do with " << format.width << " bits";
   }
 }

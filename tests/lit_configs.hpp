@@ -19,7 +19,7 @@ struct LitMiddle {
 };
 struct LitHigh {
   static constexpr Config config() {
-    return {"lit_high", 1920, 1080, 262144, 14, 8, 24, 8, 28, 15, 18, 4, Shading::kGouraud, 13, 4, 16, 64};
+    return {"lit_high", 1920, 1080, 262144, 14, 8, 24, 8, 28, 15, 18, 4, Shading::kGouraud, 13, 4, 16, 512};
   }
 };
 struct LitMatte {

@@ -110,7 +110,7 @@ class Frames {
     LightingFrame& loud = frame("corner: directions and coefficients at their largest");
     const int far = (1 << (table_.direction.width - 1)) - 1;
     for (RawLight& l : loud.lights) l = {{far, far, far}, {far, -far - 1, far}};
-    for (int n = 0; n < 60; ++n) add(loud, 7, {most - n, most, most}, {most, least, most - n}, {n - 30, 2 * n, 1});
+    for (int n = 0; n < 60; ++n) add(loud, n % 4 ? 7 : 1, {most - n, most, most}, {most, least, most - n}, {n - 30, 2 * n, 1});
   }
 
   void random(int n) {
