@@ -6,7 +6,7 @@
 // N is never made. n·L_i and n·H_i are exact, so that N·L_i > 0 is decided rightly, and each is then cut to a factor of a
 // multiplier and scaled by the one reciprocal of |n|; a cosine is at most 1. With ρ = 2^−17 of reciprocal_sqrt:
 //
-//   cosine               |error| <= δ = ρ + 2^−u·(1 + ρ)     n·L with 1 <= |n| < 2, and the product with y, each rounded to u bits
+//   cosine               |error| <= δ = ρ + 2^−u     n·L with 1 <= |n| < 2, and its product with y < 1, each rounded to u bits
 //   after j squarings    |error| <= e_j = 2·e_(j−1) + 2^−(u+1) = 2^j·δ + (2^j − 1)·2^−(u+1)
 //   sum                  |error| <= Σ_i [ diffuse_i·δ + specular_i·e_k ]  LSB before rounding: products and sum are exact
 //

@@ -6,20 +6,18 @@
 
 namespace halfspace::vectors {
 
-double cosine_bound(const Config& config) {
-  const double root = value(kRootBound);
-  return root + std::ldexp(1 + root, -cosine_fraction(config));
-}
+Dyadic cosine_bound(const Config& config) { return kRootBound + Dyadic{1, -cosine_fraction(config)}; }
 
-double power_bound(const Config& config, int squarings) {
-  double bound = cosine_bound(config);
-  for (int j = 0; j < squarings; ++j) bound = 2 * bound + std::ldexp(1.0, -cosine_fraction(config) - 1);
+Dyadic power_bound(const Config& config, int squarings) {
+  Dyadic bound = cosine_bound(config);
+  for (int j = 0; j < squarings; ++j) bound = Dyadic{bound.mantissa, bound.exponent + 1} + Dyadic{1, -cosine_fraction(config) - 1};
   return bound;
 }
 
-double light_bound(const Config& config) {
-  const double full = (1 << config.colour_bits) - 1;
-  return full * (cosine_bound(config) + (has_gloss(config) ? power_bound(config, exact_log2(config.gloss)) : 0));
+Dyadic light_bound(const Config& config) {
+  Dyadic bound = cosine_bound(config);
+  if (has_gloss(config)) bound = bound + power_bound(config, exact_log2(config.gloss));
+  return {((1 << config.colour_bits) - 1) * bound.mantissa, bound.exponent};
 }
 
 ExactLight exact_light(const LightingFrame& frame, int material, const std::array<int, 3>& normal, int channel, const Config& config) {
@@ -41,11 +39,11 @@ ExactLight exact_light(const LightingFrame& frame, int material, const std::arra
     const std::int64_t along = dot(frame.lights[i].to_light);
     if (along <= 0) continue;
     result.value += lsb * reflection.diffuse[channel] * cosine(along);
-    result.bound += lsb * reflection.diffuse[channel] * Real(cosine_bound(config));
+    result.bound += lsb * reflection.diffuse[channel] * Real(value(cosine_bound(config)));
     const std::int64_t half = dot(frame.lights[i].half);
     if (!has_gloss(config) || half <= 0) continue;
     result.value += lsb * reflection.specular[channel] * std::pow(cosine(half), Real(1 << squarings));
-    result.bound += lsb * reflection.specular[channel] * Real(power_bound(config, squarings));
+    result.bound += lsb * reflection.specular[channel] * Real(value(power_bound(config, squarings)));
   }
   return result;
 }
