@@ -23,6 +23,13 @@ endforeach()
 add_test(NAME lint_lighting COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tb/lint.py --verilator ${HALFSPACE_VERILATOR}
          ${packages})
 
+add_test(NAME faults_lighting COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tb/faults/run.py --top hs_light_units
+  --faults ${PROJECT_SOURCE_DIR}/tb/faults/lighting.txt --config ${CMAKE_CURRENT_SOURCE_DIR}/configs/lit_high.toml
+  --package ${CMAKE_CURRENT_BINARY_DIR}/model_light_units_lit_high_4/hs_formats_pkg.sv --halfspace $<TARGET_FILE:halfspace>
+  --work ${CMAKE_CURRENT_BINARY_DIR}/faults_lighting --jobs 2 --library $<TARGET_FILE:halfspace_tb>
+  --library $<TARGET_FILE:halfspace_verilated> --verilator ${HALFSPACE_VERILATOR} --cxx ${CMAKE_CXX_COMPILER})
+set_tests_properties(faults_lighting PROPERTIES PROCESSORS 2 TIMEOUT 1800)
+
 # The normals of scenes.
 foreach(pair IN ITEMS lit_low-teapot lit_middle-wheel lit_high-castle lit_high-polyhedron)
   string(REPLACE "-" ";" pair ${pair})

@@ -55,12 +55,13 @@ class Frames {
     f.note = note;
     const glm::dvec3 ways[] = {{0, 0, 1}, {0, -1, 0}, {0, 0, -1}, {0.6, 0, 0.8}};
     for (int i = 0; i < config_.lights; ++i) f.lights.push_back(light(ways[i], i == 2 ? glm::dvec3(0) : ways[(i + 3) % 4]));
-    // In turn: every gloss, and one beyond what is built; nothing at all; all at their largest.
+    // In turn every gloss, and one beyond what is built. Material 5 is below full scale however it is lit, 6 has a base
+    // alone, and 7 is all at its largest.
     for (int m = 0; m < config_.materials; ++m) {
       RawMaterial& material = f.materials.emplace_back();
       material.gloss = m % (squarings_ + 2) & ((1 << table_.gloss.width) - 1);
       for (int i = 0; i < config_.lights; ++i) {
-        const int share = m == 6 ? 0 : 64;
+        const int share = m == 5 ? 6 : m == 6 ? 0 : 64;
         const int base = coefficient(i == 0 ? 3 * (m % 4) : 0), full = coefficient(256);
         if (m == 7) {
           material.reflections.push_back({{full, full, full}, {full, full, full}, {full, full, full}});
@@ -110,7 +111,7 @@ class Frames {
     LightingFrame& loud = frame("corner: directions and coefficients at their largest");
     const int far = (1 << (table_.direction.width - 1)) - 1;
     for (RawLight& l : loud.lights) l = {{far, far, far}, {far, -far - 1, far}};
-    for (int n = 0; n < 60; ++n) add(loud, n % 4 ? 7 : 1, {most - n, most, most}, {most, least, most - n}, {n - 30, 2 * n, 1});
+    for (int n = 0; n < 60; ++n) add(loud, n % 4 == 0 ? 1 : n % 4 == 1 ? 5 : 7, {most - n, most, most}, {most, least, most - n}, {n - 30, 2 * n, 1});
   }
 
   void random(int n) {
