@@ -196,12 +196,21 @@ INSTANTIATE_TEST_SUITE_P(Of, Lighting,
                          testing::Values(LitLow::config(), LitMiddle::config(), LitHigh::config(), LitMatte::config()),
                          [](const auto& info) { return std::string(info.param.name); });
 
-// Vertex colours of every built-in scene against the reference in doubles: 1 LSB of 8 at most.
-TEST(LightingScenes, VertexColoursAreThoseOfTheReference) {
+// Vertex colours of every built-in scene, as it is and polished, under its light and under four, against the reference in
+// doubles: 1 LSB of 8 at most.
+void expect_scenes(bool polished) {
   const Config config = LitHigh::config();
   const auto engine = vectors::make_lighting_engine(config);
   for (const std::string& name : ref::builtin_scene_names()) {
-    const ref::Scene scene = ref::load_scene(name);
+    ref::Scene scene = ref::load_scene(name);
+    if (polished) {
+      for (ref::Material& material : scene.materials) material.specular = {0.9, 0.7, 1}, material.shininess = 14;
+      for (const glm::dvec3& way : {glm::dvec3(-1, -1, -1), {1, -2, 0}, {0.3, 0.2, -1}, {-1, 0, 0.5}}) {
+        scene.lights.push_back({});
+        scene.lights.back().direction = glm::normalize(way);
+        scene.lights.back().colour = {0.15, 0.2, 0.17};
+      }
+    }
     const ref::DistantScene distant = ref::distant_scene(scene, ref::viewpoint(scene, 16.0 / 9), vectors::most_squarings(config));
     const auto colours = engine->colours(vectors::quantized_lighting(distant, config));
     ASSERT_EQ(colours.size(), distant.triangles.size());
@@ -221,6 +230,8 @@ TEST(LightingScenes, VertexColoursAreThoseOfTheReference) {
     EXPECT_GT(channels, 0u);
   }
 }
+TEST(LightingScenes, VertexColoursAreThoseOfTheReference) { expect_scenes(false); }
+TEST(LightingScenes, AndPolishedUnderFourLights) { expect_scenes(true); }
 
 TEST(DistantLighting, RoundsTheExponentInItsLogarithm) {
   EXPECT_EQ(ref::squarings(0, 4), -1);

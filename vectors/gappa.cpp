@@ -102,18 +102,18 @@ std::string light_cosine(const Config& config) {
                      fmt::arg("u", u), fmt::arg("root", symmetric(kRootBound)), fmt::arg("bound", symmetric(cosine_bound(config))));
 }
 
-// X0: the exact cosine; C0: the one at hand, both clamped.
+// Xj: an exact cosine squared j times; Cj: the one at hand. What is proved of a step is the premise of the next.
 std::string light_power(const Config& config) {
-  const int squarings = exact_log2(config.gloss);
-  std::string steps, goals, hints;
-  for (int j = 1; j <= squarings; ++j) {
-    steps += fmt::format("X{0} = X{1}*X{1};\nC{0} = fixed<-{2},nu>(C{1}*C{1});\n", j, j - 1, cosine_fraction(config));
-    goals += fmt::format("{}C{} in [0, 1] /\\ C{} - X{} {}", j == 1 ? "" : "\n  /\\ ", j, j, j, symmetric(power_bound(config, j)));
-    hints += fmt::format("C{0} - X{0} -> (C{0} - C{1}*C{1}) + (C{1} - X{1})*(C{1} + X{1});\n", j, j - 1);
+  std::string steps, premises, goals, hints;
+  for (int j = 0; j < exact_log2(config.gloss); ++j) {
+    const char* const next = j == 0 ? "" : "\n  /\\ ";
+    steps += fmt::format("S{0} = fixed<-{1},nu>(C{0}*C{0});\n", j, cosine_fraction(config));
+    premises += fmt::format("{0}X{1} in [0, 1] /\\ C{1} in [0, 1] /\\ C{1} - X{1} {2}", next, j, symmetric(power_bound(config, j)));
+    goals += fmt::format("{0}S{1} in [0, 1] /\\ S{1} - X{1}*X{1} {2}", next, j, symmetric(power_bound(config, j + 1)));
+    hints += fmt::format("S{0} - X{0}*X{0} -> (S{0} - C{0}*C{0}) + (C{0} - X{0})*(C{0} + X{0});\n", j);
   }
-  return header(config, "Powers of a cosine, by squaring, each rounded.") + steps +
-         fmt::format("\n{{ X0 in [0, 1] /\\ C0 in [0, 1] /\\ C0 - X0 {}\n  -> {} }}\n\n", symmetric(cosine_bound(config)), goals) +
-         hints;
+  return header(config, "Powers of a cosine, by squaring, each rounded.") +
+         fmt::format("{}\n{{ {}\n  -> {} }}\n\n{}", steps, premises, goals, hints);
 }
 
 // kd, ks: coefficients of a light; X, Y: exact cosine and power; C, S: those at hand. The base is in both sums alike.
