@@ -2,6 +2,7 @@
 // halfspace config and halfspace package
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -22,11 +23,16 @@ Json config_json(const Configuration& configuration) {
   for (const auto& field : vectors::config_fields()) json[field.name] = c.*field.value;
   json["shading"] = vectors::shading_name(c.shading);
   json["architecture"] = vectors::architecture_name(c.architecture);
+  for (const auto& field : vectors::lighting_fields()) {
+    if (has_lighting(c)) json[field.name] = c.*field.value;
+  }
   const FormatTable table = format_table(c);
-  for (const auto& field : vectors::format_fields()) {
-    if (!field.is_used(c)) continue;
-    const NumberFormat format = table.*field.format;
-    json["formats"][field.name] = {{"width", format.width}, {"integer", format.integer}, {"signed", format.is_signed}};
+  for (const auto* fields : {&vectors::format_fields(), &vectors::lighting_format_fields()}) {
+    for (const auto& field : *fields) {
+      if (!field.is_used(c)) continue;
+      const NumberFormat format = table.*field.format;
+      json["formats"][field.name] = {{"width", format.width}, {"integer", format.integer}, {"signed", format.is_signed}};
+    }
   }
   return json;
 }
@@ -57,14 +63,25 @@ void print_table(const std::vector<Configuration>& configurations, bool markdown
   }
   row("shading", shadings, vectors::kShadingWhat);
   row("architecture", architectures, vectors::kArchitectureWhat);
-  for (const auto& field : vectors::format_fields()) {
+  const bool lit = std::any_of(configurations.begin(), configurations.end(),
+                               [](const Configuration& c) { return has_lighting(c.config()); });
+  for (const auto& field : vectors::lighting_fields()) {
     std::vector<std::string> cells;
-    for (const Configuration& configuration : configurations) {
-      const Config c = configuration.config();
-      cells.push_back(field.is_used(c) ? vectors::format_name(format_table(c).*field.format) : "–");
-    }
-    row(field.name, cells, field.why);
+    for (const Configuration& c : configurations) cells.push_back(std::to_string(c.config().*field.value));
+    if (lit) row(field.name, cells, field.what);
   }
+  auto formats = [&](const std::vector<vectors::FormatField>& fields) {
+    for (const auto& field : fields) {
+      std::vector<std::string> cells;
+      for (const Configuration& configuration : configurations) {
+        const Config c = configuration.config();
+        cells.push_back(field.is_used(c) ? vectors::format_name(format_table(c).*field.format) : "–");
+      }
+      row(field.name, cells, field.why);
+    }
+  };
+  formats(vectors::format_fields());
+  if (lit) formats(vectors::lighting_format_fields());
 }
 
 struct Options {

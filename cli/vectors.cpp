@@ -8,6 +8,9 @@
 #include "cli/progress.hpp"
 #include "cli/scene_input.hpp"
 #include "ref/error.hpp"
+#include "ref/scene.hpp"
+#include "ref/triangle_list.hpp"
+#include "ref/viewpoint.hpp"
 #include "vectors/engine.hpp"
 #include "vectors/extremes.hpp"
 #include "vectors/standard_set.hpp"
@@ -24,6 +27,24 @@ struct Options {
   bool corners = true;
   int random = 4, random_triangles = 60;
 };
+
+// Frames of normals alone for light_vertex, with a frame of one pixel for the rest; and the normals of the scene.
+void add_lighting(const Options& options, const vectors::Configuration& configuration, bool corners,
+                  std::vector<vectors::NamedFrame>& frames) {
+  const Config config = configuration.config();
+  const std::string& name = options.input.scene;
+  if (name != "standard" && name != "largest" && !ref::is_tri_file(name)) {
+    const ref::Scene scene = ref::load_scene(name, options.input.time);
+    const ref::SnappedList& list = frames.back().scene;
+    frames.back().lighting = vectors::quantized_lighting(
+        ref::distant_scene(scene, ref::viewpoint(scene, double(list.width) / list.height), vectors::most_squarings(config)), config);
+  }
+  if (!corners) return;
+  for (vectors::LightingFrame& lighting : vectors::lighting_frames(config, options.seed)) {
+    ref::SnappedList nothing{vectors::raster_format(configuration), 1, 1, {}, {}};
+    frames.push_back({lighting.note, std::move(nothing), std::move(lighting)});
+  }
+}
 
 void write_vectors(const Options& options) {
   std::vector<vectors::NamedFrame> frames;
@@ -45,6 +66,8 @@ void write_vectors(const Options& options) {
     first.insert(first.end(), std::make_move_iterator(frames.begin()), std::make_move_iterator(frames.end()));
     frames = std::move(first);
   }
+
+  if (has_lighting(configuration.config())) add_lighting(options, configuration, corners, frames);
 
   vectors::VectorSetOptions set;
   set.scene = options.input.scene;

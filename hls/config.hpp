@@ -30,6 +30,11 @@ struct Config {
   int lanes;             // pixels a stamp, 1, 2, 4, 8 or 16: what the units handle in a cycle
   Shading shading = Shading::kGouraud;
   Architecture architecture = Architecture::kDelta;
+  // Lighting in hardware; all 0 without it.
+  int normal_bits = 0;  // p: fraction bits of a component of a normal
+  int lights = 0;       // lights that are built; 0: no lighting
+  int gloss = 0;        // largest exponent of a highlight: 1, 2, 4, 8, 16; 0: no highlights
+  int materials = 0;    // materials a frame
 };
 
 constexpr bool has_depth(const Config& c) { return c.depth_bits != 0; }
@@ -37,6 +42,8 @@ constexpr bool has_depth(const Config& c) { return c.depth_bits != 0; }
 constexpr bool stores_depth(const Config& c) { return has_depth(c) && c.architecture == Architecture::kDelta; }
 constexpr bool tests_planes(const Config& c) { return c.architecture == Architecture::kGamma; }
 constexpr bool is_gouraud(const Config& c) { return c.shading == Shading::kGouraud; }
+constexpr bool has_lighting(const Config& c) { return c.lights != 0; }
+constexpr bool has_gloss(const Config& c) { return c.gloss != 0; }
 // Whether a triangle has a plane at all, and needs the reciprocal of its area.
 constexpr bool has_planes(const Config& c) { return has_depth(c) || is_gouraud(c); }
 
@@ -91,6 +98,11 @@ enum class Refusal {
   kStartWord,           // so is the start of a plane
   kShadeWord,           // so is a colour gradient times a pixel coordinate
   kTestWord,            // and for type γ a depth gradient times a pixel coordinate
+  kNormalBits,          // 9 … 16: the square of a length fills the fields of a reciprocal root; all products are one word
+  kLights,              // 0 … 4: a normal takes a cycle a light
+  kGloss,               // 0, 1, 2, 4, 8, 16
+  kMaterials,           // 1 … 4096
+  kIdleLighting,        // a number of lighting where there is none
 };
 
 // |error| <= 2^(b−r) + (|dx| + |dy|)·2^−(g+1) < ½ LSB, for the farthest vertex that a pixel of the frame can be measured
@@ -142,6 +154,13 @@ constexpr Refusal refusal(const Config& c) {
   }
   if (c.colour_bits + c.colour_fraction + bits_for(longer_side) > 64) return Refusal::kShadeWord;
   if (tests_planes(c) && c.depth_bits + c.depth_fraction + bits_for(longer_side) > 64) return Refusal::kTestWord;
+  if (!has_lighting(c)) {
+    return c.normal_bits == 0 && c.gloss == 0 && c.materials == 0 ? Refusal::kNone : Refusal::kIdleLighting;
+  }
+  if (!within(c.normal_bits, 9, 16)) return Refusal::kNormalBits;
+  if (!within(c.lights, 1, 4)) return Refusal::kLights;
+  if (!within(c.gloss, 0, 16) || (has_gloss(c) && c.gloss != 1 << exact_log2(c.gloss))) return Refusal::kGloss;
+  if (!within(c.materials, 1, 4096)) return Refusal::kMaterials;
   return Refusal::kNone;
 }
 

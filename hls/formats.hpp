@@ -22,7 +22,46 @@ struct FormatTable {
   NumberFormat coord, delta, area, signed_area, edge, edge_step, reciprocal, shift;
   NumberFormat depth, depth_plane, depth_gradient, depth_numerator, depth_start, depth_start_gradient;
   NumberFormat colour, colour_plane, colour_gradient, colour_numerator, colour_start, colour_start_gradient;
+  NumberFormat material, light, gloss, normal, direction, squared_length, root, root_shift, dot, projection, cosine;
+  NumberFormat coefficient, light_sum;
 };
+
+// A coefficient of a material, in LSB of the colour: 2^kCoefficientHead times full scale, so that a light brighter than
+// white is no more than clamped where it shines; kCoefficientFraction bits are 1/128 LSB of rounding at most.
+constexpr int kCoefficientHead = 2, kCoefficientFraction = 6;
+// y of reciprocal_sqrt, in (½, 1).
+constexpr int kRootFraction = 18;
+
+// u: fraction bits of a cosine. An exponent of 16 makes 16 times its error, so that 2^−(b+8) becomes 2^−4 LSB.
+constexpr int cosine_fraction(const Config& c) { return c.colour_bits + 8; }
+
+// The numbers of lighting; without it no record carries one, and the types are idle.
+constexpr FormatTable lighting_formats(const Config& c, FormatTable t) {
+  const int p = has_lighting(c) ? c.normal_bits : 9, lights = has_lighting(c) ? c.lights : 1;
+  const int u = cosine_fraction(c);
+  t.material = {bits_for(c.materials - 1), bits_for(c.materials - 1), false};
+  t.light = {bits_for(lights - 1), bits_for(lights - 1), false};
+  // Squarings: 0 … log2 of the largest exponent.
+  t.gloss = {bits_for(exact_log2(c.gloss)), bits_for(exact_log2(c.gloss)), false};
+  // A normal has any length, so that a component never needs the value 1; nor, but for half a last place, has a unit vector
+  // of p + 1 bits. Directions are unit vectors; u + 2 bits of them, 18, are a factor of an FPGA's multiplier.
+  t.normal = {p + 1, 1, true};
+  t.direction = {u + 2, 1, true};
+  // At most 3·(2^p)² < 2^(2p+2) units, an even number of bits: its root is shifted by half as many places.
+  t.squared_length = {2 * p + 2, 2, false};
+  t.root = {kRootFraction, 0, false};
+  t.root_shift = {bits_for(p), bits_for(p), false};  // 0 … p
+  // n·L, exact: at most 3·2^p·2^(u+1) < 2^(p+u+3) units.
+  t.dot = {p + u + 4, 3, true};
+  // The part of n·L above 0, with n normalized to 1 <= |n| < 2, so that it is below 2 but for what a direction is too long.
+  t.projection = {u + 1, 1, false};
+  t.cosine = {u + 1, 1, false};  // 0 … 1
+  t.coefficient = {c.colour_bits + kCoefficientHead + kCoefficientFraction, c.colour_bits + kCoefficientHead, false};
+  // Exact: base, diffuse and specular of each light, times 1 at most.
+  const int head = t.coefficient.integer + bits_for((has_gloss(c) ? 3 : 2) * lights);
+  t.light_sum = {head + kCoefficientFraction + u, head, false};
+  return t;
+}
 
 constexpr FormatTable format_table(const Config& c) {
   FormatTable t{};
@@ -72,7 +111,7 @@ constexpr FormatTable format_table(const Config& c) {
   t.colour_start = {t.colour_plane.width + f, c.colour_bits, true};
   t.depth_start_gradient = {t.depth_start.width, depth_bits + f, true};
   t.colour_start_gradient = {t.colour_start.width, c.colour_bits + f, true};
-  return t;
+  return lighting_formats(c, t);
 }
 
 // Stamps that `pixels` pixels take, `lanes` a stamp.
@@ -118,6 +157,9 @@ struct Formats {
   static constexpr int kAreaBits = table().area.width;
   static constexpr int kDepthBits = config().depth_bits;
   static constexpr int kColourBits = config().colour_bits;
+  static constexpr bool kHasLighting = has_lighting(config()), kHasGloss = has_gloss(config());
+  static constexpr int kLights = config().lights, kMaterials = config().materials;
+  static constexpr int kSquarings = exact_log2(config().gloss);
 
 #define HS_NUMBER(field) Fixed<table().field.width, table().field.integer, table().field.is_signed>
   using X = HS_NUMBER(x);  // pixels or stamps to the right, and frame widths
@@ -154,6 +196,19 @@ struct Formats {
     using Start = HS_NUMBER(colour_start);
     using StartGradient = HS_NUMBER(colour_start_gradient);
   };
+  using MaterialNumber = HS_NUMBER(material);
+  using LightNumber = HS_NUMBER(light);
+  using Gloss = HS_NUMBER(gloss);
+  using Normal = HS_NUMBER(normal);
+  using Direction = HS_NUMBER(direction);
+  using SquaredLength = HS_NUMBER(squared_length);
+  using Root = HS_NUMBER(root);
+  using RootShift = HS_NUMBER(root_shift);
+  using Dot = HS_NUMBER(dot);
+  using Projection = HS_NUMBER(projection);
+  using Cosine = HS_NUMBER(cosine);
+  using Coefficient = HS_NUMBER(coefficient);
+  using LightSum = HS_NUMBER(light_sum);
 #undef HS_NUMBER
 };
 

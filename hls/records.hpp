@@ -244,6 +244,72 @@ struct Pixel {
   }
 };
 
+// A light of the frame: unit vectors to it and, for highlights, half-way between it and the viewer.
+template <class F>
+struct Light {
+  static constexpr const char* kStream = "light";
+  typename F::LightNumber light;
+  typename F::Direction to_light[3], half[3];
+
+  template <class V>
+  void visit(V&& v) {
+    v("light", light);
+    v("x", to_light[0]), v("y", to_light[1]), v("z", to_light[2]);
+    if (F::kHasGloss) v("half_x", half[0]), v("half_y", half[1]), v("half_z", half[2]);
+  }
+};
+
+// What a material makes of a light, in LSB of the colour. The bases of a material's lights add up to what it has without any.
+template <class F>
+struct Material {
+  static constexpr const char* kStream = "material";
+  typename F::MaterialNumber material;
+  typename F::LightNumber light;
+  typename F::Gloss gloss;  // k: the exponent is 2^k; the same for all lights
+  typename F::Coefficient base[3], diffuse[3], specular[3];
+
+  template <class V>
+  void visit(V&& v) {
+    v("material", material), v("light", light);
+    if (F::kHasGloss) v("gloss", gloss);
+    v("base_r", base[0]), v("base_g", base[1]), v("base_b", base[2]);
+    v("diffuse_r", diffuse[0]), v("diffuse_g", diffuse[1]), v("diffuse_b", diffuse[2]);
+    if (F::kHasGloss) v("specular_r", specular[0]), v("specular_g", specular[1]), v("specular_b", specular[2]);
+  }
+};
+
+// geometry → light_vertex: the normals of a triangle's vertices, of any length; one of length 0 shows the base alone.
+template <class F>
+struct Normals {
+  static constexpr const char* kStream = "normals";
+  Bit last;
+  typename F::Index index;
+  typename F::MaterialNumber material;
+  typename F::Normal x[3], y[3], z[3];  // flat: one, at [0]
+
+  template <class V>
+  void visit(V&& v) {
+    v("last", last), v("index", index), v("material", material);
+    v("x0", x[0]), v("y0", y[0]), v("z0", z[0]);
+    if (F::kGouraud) v("x1", x[1]), v("y1", y[1]), v("z1", z[1]), v("x2", x[2]), v("y2", y[2]), v("z2", z[2]);
+  }
+};
+
+// light_vertex → shade_setup: the colours of a triangle.
+template <class F>
+struct Colours {
+  static constexpr const char* kStream = "colours";
+  Bit last;
+  typename F::Index index;
+  typename F::Colour r[3], g[3], b[3];  // flat: at [0]
+
+  template <class V>
+  void visit(V&& v) {
+    v("last", last), v("index", index);
+    visit_colours<F>(v, r, g, b);
+  }
+};
+
 }  // namespace halfspace
 
 #endif  // HALFSPACE_HLS_RECORDS_HPP_

@@ -17,10 +17,9 @@ Geometry::Geometry(const Scene& scene, const View& view)
     : scene_(scene),
       view_(view),
       viewpoint_(ref::viewpoint(scene, double(view.width) / view.height)),
-      lights_(scene.lights),
+      lights_(lights_of(scene, viewpoint_)),
       frame_planes_(planes_around(0, view.width, 0, view.height)),
       list_{view.width, view.height, {scene.background.r, scene.background.g, scene.background.b}, {}, {}} {
-  if (lights_.empty()) lights_.push_back(headlight());
   // One pixel inside the range, so that neither rounding nor snapping leads out of it.
   const double guard = std::ldexp(1.0, view.range_bits - 1) - 1;
   guard_planes_ = planes_around(-guard, guard, -guard, guard);
@@ -39,13 +38,6 @@ std::vector<ClipPlane> Geometry::planes_around(double left, double right, double
   const double w = view_.width / 2.0, h = view_.height / 2.0;  // pixel = (w + w x/w_clip, h - h y/w_clip)
   return {{0, 0, 1, 0},          {0, 0, -1, 1},       {w, 0, 0, w - left},
           {-w, 0, 0, right - w}, {0, -h, 0, h - top}, {0, h, 0, bottom - h}};
-}
-
-Light Geometry::headlight() const {
-  Light light;
-  light.direction = glm::normalize(viewpoint_.forward + 0.4 * viewpoint_.right - 0.65 * viewpoint_.up);
-  light.colour = glm::dvec3(0.8);
-  return light;
 }
 
 void Geometry::draw(std::uint32_t number) {

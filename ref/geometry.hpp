@@ -41,7 +41,7 @@ class Geometry {
 
   const TriangleList& positions() const { return list_; }  // all black
   const std::vector<Origin>& origins() const { return origins_; }
-  const std::vector<Light>& lights() const { return lights_; }  // the scene's, or the headlight
+  const std::vector<Light>& lights() const { return lights_; }  // see lights_of
   const Viewpoint& viewpoint() const { return viewpoint_; }
   const Material& material(std::size_t k) const;
 
@@ -61,7 +61,6 @@ class Geometry {
     std::vector<glm::dvec3> front, back;  // colours of either side as far as they were asked for; else NaN
   };
   std::vector<ClipPlane> planes_around(double left, double right, double top, double bottom) const;
-  Light headlight() const;
   void draw(std::uint32_t instance);
   Vertex viewport(const glm::dvec4& clip) const;
   bool faces_viewer(const std::array<Vertex, 3>&) const;

@@ -5,12 +5,6 @@
 #include <cmath>
 
 namespace halfspace::ref {
-namespace {
-
-struct Arrival {
-  glm::dvec3 to_light;   // L, length 1
-  glm::dvec3 intensity;  // Ii as it arrives
-};
 
 Arrival arrive(const Light& light, const glm::dvec3& point) {
   if (light.kind == Light::Kind::kDirectional) return {-light.direction, light.colour};
@@ -27,7 +21,13 @@ Arrival arrive(const Light& light, const glm::dvec3& point) {
   return {to_light, light.colour * factor};
 }
 
-}  // namespace
+std::vector<Light> lights_of(const Scene& scene, const Viewpoint& from) {
+  if (!scene.lights.empty()) return scene.lights;
+  Light headlight;
+  headlight.direction = glm::normalize(from.forward + 0.4 * from.right - 0.65 * from.up);
+  headlight.colour = glm::dvec3(0.8);
+  return {headlight};
+}
 
 glm::dvec3 phong(const SurfacePoint& at, const Material& material, const glm::dvec3& ambient,
                  const std::vector<Light>& lights) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ref/scene.hpp"
+#include "ref/viewpoint.hpp"
 
 namespace halfspace::ref {
 
@@ -15,6 +16,16 @@ struct SurfacePoint {
   glm::dvec3 to_viewer;         // V, length 1
   glm::dvec3 colour;            // multiplies Ka and Kd
 };
+
+// How a light arrives at a point.
+struct Arrival {
+  glm::dvec3 to_light;   // L, length 1
+  glm::dvec3 intensity;  // Ii as it arrives
+};
+Arrival arrive(const Light&, const glm::dvec3& point);
+
+// The scene's lights; where it has none, one from the upper left behind the viewer.
+std::vector<Light> lights_of(const Scene&, const Viewpoint&);
 
 // The Phong model of index rendering, in 0-255 a channel and clamped to it:
 //   I = emission + Ia Ka + sum of Ii (Kd (L·N) + Ks (H·N)^n),  H = (L + V) / |L + V|,

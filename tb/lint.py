@@ -14,16 +14,20 @@ import sys
 
 TOPS = ["hs_triangle_setup", "hs_shade_setup", "hs_raster_pineda", "hs_ztest_index", "hs_ztest_plane", "hs_scan_index",
         "hs_shade_gouraud", "hs_pipeline"]
+# Units of configurations with lighting alone, and their bench, which gives them the types of the package.
+LIT_TOPS = ["hs_light_vertex"]
+LIT_BENCH = "hs_light_units"
+LIT_PACKAGE = re.compile(r"\bLights = [1-9]")
 CONFIGS = ["low", "middle", "high"]
 STAMPS = [(1, 1), (2, 2), (4, 4)]
 
 
 def lint(args, root, package, top, lanes):
     """What Verilator says, or '' if nothing."""
-    text = (root / f"{top}.sv").read_text()
+    source = (pathlib.Path(__file__).parent if top == LIT_BENCH else root) / f"{top}.sv"
+    text = source.read_text()
     command = [args.verilator, "--lint-only", "-Wall", "--top-module", top,
-               str(pathlib.Path(__file__).with_name("lint.vlt")), str(package),
-               str(root / f"{top}.sv"), "-y", str(root)]
+               str(pathlib.Path(__file__).with_name("lint.vlt")), str(package), str(source), "-y", str(root)]
     if re.search(r"\bparameter\b[^,;)]*\bLanesX\b", text):
         command += [f"-GLanesX={lanes[0]}", f"-GLanesY={lanes[1]}"]
     result = subprocess.run(command, capture_output=True, text=True)
@@ -64,7 +68,13 @@ def main():
                 if output := lint(args, root, package, top, lanes):
                     print(f"lint: {top}, {package}, {lanes[0]}x{lanes[1]}:\n{output}")
                     faults += 1
-    seen = set().union(*(reached(root, top) for top in TOPS))
+    for package in packages:
+        if LIT_PACKAGE.search(package.read_text()):
+            runs += 1
+            if output := lint(args, root, package, LIT_BENCH, STAMPS[0]):
+                print(f"lint: {LIT_BENCH}, {package}:\n{output}")
+                faults += 1
+    seen = set().union(*(reached(root, top) for top in TOPS + LIT_TOPS))
     for path in sorted(root.glob("hs_*.sv")):
         if path.stem not in seen:
             print(f"lint: no unit uses {path}: remove it, or add its unit to TOPS in tb/lint.py")

@@ -46,7 +46,7 @@ void report(const Vectors& vectors, const Options& options, const std::vector<Re
 
 int run_benches(Model* model, Vectors* vectors, const Options& options) {
   const std::vector<std::string> units =
-      options.unit == "all" ? unit_names(*vectors) : std::vector<std::string>{options.unit};
+      options.unit == "all" ? unit_names(*model, *vectors) : std::vector<std::string>{options.unit};
   std::set<std::string> names;
   for (const std::string& unit : units) {
     for (const std::string& stream : unit_streams(unit, *vectors)) names.insert(stream);
@@ -78,7 +78,7 @@ int run_cosim(Model* model, Vectors* vectors, const Options& options) {
 }
 
 int run(int argc, char** argv) {
-  const bool units = model_top() == "hs_units";
+  const bool units = model_top() != "hs_pipeline";
   const Options options = parse_options(argc, argv, units);
   Vectors vectors = load_manifest(options.vectors);
   const std::unique_ptr<Model> model = make_model(options.seed);

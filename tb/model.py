@@ -26,15 +26,15 @@ def run(command, what):
 
 
 def build(package, lanes, top, out, libraries, rtl=TB.parent / "rtl", verilator="verilator", cxx="c++", optimize="-O0"):
-    """The bench of `top` (hs_units or hs_pipeline) in folder `out`. `libraries`: the harness and Verilator's, in this order."""
+    """The bench of `top` (hs_units, hs_light_units or hs_pipeline) in folder `out`. `libraries`: the harness and Verilator's, in this order."""
     name = CONFIG.search(package.read_text()) if package.exists() else None
     if not name:
         raise Broken(f"{package}: no package of formats: print one with `halfspace package --config C -o {package}`")
     lanes_x = LANES_X[lanes]
     lanes_y = lanes // lanes_x
     sources = [TB / "lint.vlt", *sorted(rtl.glob("hs_*.sv"))]
-    if top == "hs_units":
-        sources += [TB / "hs_units.sv", TB / "hs_bench_ram.sv"]
+    if top != "hs_pipeline":
+        sources += [TB / f"{top}.sv", TB / "hs_bench_ram.sv"]
     flags = ["-Wno-fatal", "--noassert", "--x-initial", "unique"]
     run([sys.executable, TB / "verilate.py", "--verilator", verilator, "--top", top, "--lanes-x", lanes_x, "--lanes-y",
          lanes_y, "--out", out, "--package", package, *(f"--flag={flag}" for flag in flags), *sources], "verilate.py")
@@ -51,7 +51,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--package", type=pathlib.Path, required=True, help="what `halfspace package` printed")
     parser.add_argument("--lanes", type=int, default=4, choices=sorted(LANES_X))
-    parser.add_argument("--top", default="hs_pipeline", choices=["hs_units", "hs_pipeline"])
+    parser.add_argument("--top", default="hs_pipeline", choices=["hs_units", "hs_light_units", "hs_pipeline"])
     parser.add_argument("--out", type=pathlib.Path, required=True, help="folder for the model; the program is OUT/bench")
     parser.add_argument("--library", type=pathlib.Path, action="append", required=True,
                         help="the harness and Verilator's library, in this order: --library A.a --library B.a")

@@ -31,6 +31,7 @@ const Unit kUnits[] = {
     {"ztest_plane", "ztest_", {"triangle_depth", "stamp"}, {"update", "visible"}, {}, true},
     {"scan_index", "scan_index_", {}, {"scan"}, {"update"}, false},  // and a start token a frame: run_scan
     {"shade_gouraud", "shade_gouraud_", {"scan"}, {"pixel"}, {"planes"}, false},
+    {"light_vertex", "light_vertex_", {"normals"}, {"colours"}, {"light", "material"}, false},
 };
 
 // The units of the configuration that a vector set is of: its streams tell which Z-test it has, and a stream that it has not
@@ -199,9 +200,11 @@ class UnitBench {
 
 }  // namespace
 
-std::vector<std::string> unit_names(const Vectors& vectors) {
+std::vector<std::string> unit_names(const Model& model, const Vectors& vectors) {
   std::vector<std::string> names;
-  for (const Unit& unit : units_of(vectors)) names.push_back(unit.name);
+  for (const Unit& unit : units_of(vectors)) {
+    if (model.find(std::string(unit.ports) + "clk_i")) names.push_back(unit.name);
+  }
   return names;
 }
 

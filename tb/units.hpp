@@ -10,8 +10,8 @@
 
 namespace halfspace::tb {
 
-// The names of the units, in the order of the data.
-std::vector<std::string> unit_names(const Vectors&);
+// The names of the units that a model has, in the order of the data.
+std::vector<std::string> unit_names(const Model&, const Vectors&);
 
 // Streams that the bench of `unit` drives, compares or explains with.
 std::vector<std::string> unit_streams(const std::string& unit, const Vectors&);

@@ -8,12 +8,12 @@ import sys
 # What a file of hls/ may include, lowest first. Files of one level do not include each other.
 LEVELS = [["config"], ["low", "middle", "high"], ["fixed_rules"], ["fixed_native", "fixed_library"],
           ["fixed_systemc", "fixed_ap", "fixed_ac"], ["fixed"], ["formats"], ["records", "stream"],
-          ["buffers", "reciprocal", "lanes"], ["plane"],
-          ["triangle_setup", "shade_setup", "raster_pineda", "ztest_index", "ztest_plane", "scan_index", "shade_gouraud"],
+          ["buffers", "reciprocal", "reciprocal_sqrt", "lanes"], ["plane", "lighting"],
+          ["triangle_setup", "shade_setup", "raster_pineda", "ztest_index", "ztest_plane", "scan_index", "shade_gouraud", "light_vertex"],
           ["pipeline"],
           ["fields"],
           ["triangle_setup_top", "shade_setup_top", "raster_pineda_top", "ztest_index_top", "ztest_plane_top",
-           "scan_index_top", "shade_gouraud_top"]]
+           "scan_index_top", "shade_gouraud_top", "light_vertex_top"]]
 # Which folders a folder may include from.
 FOLDERS = {"hls": {"hls"}, "ref": {"ref"}, "vectors": {"vectors", "ref", "hls"}, "tb": {"tb"},
            "cli": {"cli", "vectors", "ref"}, "tests": {"tests", "vectors", "ref", "hls"}}

@@ -21,6 +21,9 @@ UNNAMED = {
     "deep": {"depth_bits": 32, "reciprocal_bits": 36, "depth_fraction": 15},
     "long": {"depth_bits": 10, "colour_bits": 6, "reciprocal_bits": 37},
 }
+# With lighting, from files, and how many proofs they have.
+CONFIGS = pathlib.Path(__file__).parent / "configs"
+LIT = {CONFIGS / "lit_low.toml": 13, CONFIGS / "lit_middle.toml": 13, CONFIGS / "lit_high.toml": 13, CONFIGS / "lit_matte.toml": 3}
 # A number that is as small as it can be: mantissa, exponent.
 TIGHT = re.compile(r"in \[(-?\d+(?:b-?\d+)?), (\d+)b(-?\d+)\]")
 
@@ -55,7 +58,7 @@ class Proofs(unittest.TestCase):
         found = {path.stem: path.read_text() for path in out.glob("*.g")}
         named = {row["proof"] for row in json.loads(numbers.read_text())["rows"] if not row["exact"]}
         self.assertEqual(named, set(found), "every proof that the table names is written, and no other")
-        self.assertEqual(len(found), 10)
+        self.assertEqual(len(found), LIT.get(config, 10))
         return found
 
     def test_every_bound_is_proved(self):
@@ -69,7 +72,7 @@ class Proofs(unittest.TestCase):
                 self.assertEqual(found, 1)
             path.write_text(text)
             configs.append(path)
-        for config in configs:
+        for config in configs + list(LIT):
             for name, text in self.scripts(config).items():
                 with self.subTest(config=config, script=name):
                     self.assertTrue(prove(text), text)
@@ -77,7 +80,8 @@ class Proofs(unittest.TestCase):
     def test_no_bound_can_be_lower_by_a_sixteenth(self):
         """Each number of the goals that is a bound, alone, times 15/16."""
         lowered = 0
-        for name, text in self.scripts("high").items():
+        lit = {name: text for name, text in self.scripts(CONFIGS / "lit_high.toml").items() if name.startswith("light")}
+        for name, text in {**self.scripts("high"), **lit}.items():
             premises, goals = text.split("->", 1)
             for match in TIGHT.finditer(goals.split("}", 1)[0]):
                 low, mantissa, exponent = match.groups()
@@ -85,10 +89,15 @@ class Proofs(unittest.TestCase):
                 with self.subTest(script=name, goal=match.group(0)):
                     self.assertFalse(prove(premises + "->" + goals[:match.start()] + less + goals[match.end():]))
                 lowered += 1
-        self.assertEqual(lowered, 17)
+        self.assertEqual(lowered, 23)
 
     def test_nothing_is_proved_from_other_premises(self):
+        scripts = {**self.scripts(CONFIGS / "lit_high.toml"), **self.scripts("high")}
         for script, changes in {
+                "light_cosine": [("rho in [-1b-17", "rho in [-1b-15"), ("C = fixed<-16,nu>", "C = fixed<-16,dn>"),
+                                 ("P = fixed<-16,nu>", "P = fixed<-15,nu>")],
+                "light_power": [("S3 = fixed<-16,nu>", "S3 = fixed<-16,dn>"), ("C0 - X0 in [-3b-17", "C0 - X0 in [-4b-17")],
+                "light_sum": [("kd in [0, 255]", "kd in [0, 256]"), ("ks in [0, 255]", "ks in [0, 256]")],
                 "snap": [("ne>", "dn>")],
                 "triangle_setup_reciprocal": [("nu>", "dn>"), ("[1, 2]", "[1, 3]"), ("[1, 2]", "[0, 2]")],
                 "triangle_setup_product": [("24,dn", "25,dn"), ("H in [-1b", "H in [-1b9")],
@@ -97,7 +106,7 @@ class Proofs(unittest.TestCase):
                                         ("x0 in [-8192", "x0 in [-9000"), ("t in [-", "t in [-1")],
                 "shade_gouraud_colour": [("(q*R)", "(q*R2)"), ("x in [1b-1, 3839b-1]", "x in [1b-1, 4839b-1]")],
                 "raster_pineda_rounded": [("nu>", "dn>"), ("V - v in [-", "V - v in [-1")]}.items():
-            text = self.scripts("high")[script]
+            text = scripts[script]
             for old, new in changes:
                 with self.subTest(script=script, change=f"{old} -> {new}"):
                     self.assertIn(old, text)

@@ -8,6 +8,7 @@
 
 #include "vectors/bounds_measure.hpp"
 #include "vectors/bounds_proved.hpp"
+#include "vectors/lighting_bounds.hpp"
 
 namespace halfspace::vectors {
 
@@ -69,6 +70,15 @@ BoundsReport proved_bounds(const Config& config) {
     bound(kColourPlaneInFrame, "shade_setup", "… in the frame", "LSB", "shade_gouraud_colour_frame", value(near.in_register));
     bound(kColourRounded, "shade_gouraud", "colour, rounded", "LSB", "shade_gouraud_rounded", value(far.rounded));
   }
+  if (has_lighting(config)) {
+    const int u = cosine_fraction(config), squarings = exact_log2(config.gloss);
+    bound(kLightCosine, "light_vertex", "cosine", place(u), "light_cosine", std::ldexp(value(cosine_bound(config)), u));
+    if (squarings > 0) {
+      bound(kLightPower, "light_vertex", "largest power of a cosine", place(u), "light_power",
+            std::ldexp(value(power_bound(config, squarings)), u));
+    }
+    bound(kLightSum, "light_vertex", "colour of a white light", "LSB", "light_sum", value(light_bound(config)));
+  }
   return report;
 }
 
@@ -98,6 +108,7 @@ BoundsReport measured_bounds(const Configuration& configuration, const MeasureOp
   BoundsReport report = proved_bounds(config);
   measure_snapping(config, options, report.rows[kSnap]);
   measure_frames(configuration, options.seed, report);
+  if (has_lighting(config)) measure_lighting(config, options.seed, 1 + options.triangles / 10, report);
 
   TriangleMeter meter(config, report);
   TriangleSource source(config, options.seed);

@@ -57,6 +57,9 @@ enum Quantity {
   kScan,
   kColourSteps,
   kColourRounded,
+  kLightCosine,
+  kLightPower,
+  kLightSum,
   kQuantities
 };
 

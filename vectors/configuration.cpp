@@ -32,6 +32,15 @@ const std::vector<ConfigField>& config_fields() {
   return fields;
 }
 
+const std::vector<ConfigField>& lighting_fields() {
+  static const std::vector<ConfigField> fields = {
+      {"normal_bits", &Config::normal_bits, "p: fraction bits of a component of a normal"},
+      {"lights", &Config::lights, "that are built, 1 to 4"},
+      {"gloss", &Config::gloss, "largest exponent of a highlight: 1, 2, 4, 8, 16; 0: no highlights"},
+      {"materials", &Config::materials, "a frame"}};
+  return fields;
+}
+
 const char* const kShadingWhat = "\"gouraud\", or \"flat\": a triangle has the colour of its first vertex";
 
 const char* shading_name(Shading shading) { return shading == Shading::kFlat ? "flat" : "gouraud"; }
@@ -76,6 +85,11 @@ std::string refusal_text(Refusal refusal) {
     case Refusal::kShadeWord: return "a colour gradient times a coordinate is wider than 64 bits: lower colour_fraction";
     case Refusal::kTestWord:
       return "a depth gradient times a coordinate, which architecture \"gamma\" needs, is wider than 64 bits: lower depth_fraction";
+    case Refusal::kNormalBits: return "normal_bits is 9 to 16";
+    case Refusal::kLights: return "lights is 1 to 4, or 0 for no lighting";
+    case Refusal::kGloss: return "gloss is 1, 2, 4, 8 or 16, or 0 for no highlights";
+    case Refusal::kMaterials: return "materials is 1 to 4096";
+    case Refusal::kIdleLighting: return "normal_bits, gloss and materials are 0 where lights is 0";
   }
   return "unknown reason";
 }
@@ -154,12 +168,14 @@ Configuration parse_configuration(const std::string& text, const std::string& so
       numbers.architecture = *value == "gamma" ? Architecture::kGamma : Architecture::kDelta;
       continue;
     }
-    const auto& fields = config_fields();
+    std::vector<ConfigField> fields = config_fields();
+    fields.insert(fields.end(), lighting_fields().begin(), lighting_fields().end());
     const auto at = std::find_if(fields.begin(), fields.end(), [&](const ConfigField& f) { return field == f.name; });
     if (at == fields.end()) {
       std::string known = "name";
       for (const ConfigField& f : fields) known += fmt::format(", {}", f.name);
       known += ", shading, architecture";
+      for (const ConfigField& f : lighting_fields()) known += fmt::format(", {}", f.name);
       throw ref::Error(fmt::format("{}:{}: there is no field '{}': the fields are {}", source, line, field, known));
     }
     const auto value = node.value_exact<std::int64_t>();
@@ -189,7 +205,12 @@ std::string configuration_toml(const Configuration& configuration) {
     text += *field.what ? fmt::format("{:<24}# {}\n", line, field.what) : line + "\n";
   }
   text += fmt::format("{:<24}# {}\n", fmt::format("shading = \"{}\"", shading_name(c.shading)), kShadingWhat);
-  return text + fmt::format("{:<24}# {}\n", fmt::format("architecture = \"{}\"", architecture_name(c.architecture)), kArchitectureWhat);
+  text += fmt::format("{:<24}# {}\n", fmt::format("architecture = \"{}\"", architecture_name(c.architecture)), kArchitectureWhat);
+  if (!has_lighting(c)) return text;
+  for (const ConfigField& field : lighting_fields()) {
+    text += fmt::format("{:<24}# {}\n", fmt::format("{} = {}", field.name, c.*field.value), field.what);
+  }
+  return text;
 }
 
 std::string configuration_header(const Configuration& configuration) {
@@ -205,7 +226,13 @@ std::string configuration_header(const Configuration& configuration) {
   const Config c = configuration.config();
   for (const ConfigField& field : config_fields()) numbers += fmt::format(", {}", c.*field.value);
   numbers += c.shading == Shading::kFlat ? ", Shading::kFlat" : ", Shading::kGouraud";
-  if (c.architecture == Architecture::kGamma) numbers += ", Architecture::kGamma";  // kDelta stands in Config
+  // What stands in Config is not said again.
+  if (c.architecture == Architecture::kGamma || has_lighting(c)) {
+    numbers += c.architecture == Architecture::kGamma ? ", Architecture::kGamma" : ", Architecture::kDelta";
+  }
+  if (has_lighting(c)) {
+    for (const ConfigField& field : lighting_fields()) numbers += fmt::format(", {}", c.*field.value);
+  }
   return fmt::format(
       "// SPDX-License-Identifier: Apache-2.0\n"
       "// Configuration `{0}` for the kernels, in the order of Config. Printed by `halfspace config {0} --header FILE` from its\n"

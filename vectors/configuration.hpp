@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Configurations by name or from a file: TOML with the fields of Config, all of them but `shading` and `architecture`, which are
-// "gouraud" and "delta" where nothing is said, and nothing else.
+// "gouraud" and "delta" where nothing is said, and those of lighting, which are 0; and nothing else.
 #ifndef HALFSPACE_VECTORS_CONFIGURATION_HPP_
 #define HALFSPACE_VECTORS_CONFIGURATION_HPP_
 
@@ -19,6 +19,8 @@ struct ConfigField {
   const char* what;
 };
 const std::vector<ConfigField>& config_fields();
+// Those of lighting, which a file without it leaves out.
+const std::vector<ConfigField>& lighting_fields();
 
 // "gouraud" or "flat", the field `shading`, and what it means.
 const char* shading_name(Shading);

@@ -29,7 +29,7 @@ std::unique_ptr<Engine> make_engine(const Configuration& configuration, int lane
     for (const ConfigField& field : config_fields()) {
       if (c.config().*field.value != config.*field.value) return false;
     }
-    return true;
+    return !has_lighting(config);
   };
   const auto& named = named_configurations();
   std::unique_ptr<Engine> engine = is_named(named[0])   ? make_engine_low(lanes)

@@ -38,6 +38,25 @@ const std::vector<FormatField>& format_fields() {
   return fields;
 }
 
+const std::vector<FormatField>& lighting_format_fields() {
+  using T = FormatTable;
+  static const std::vector<FormatField> fields = {
+      {"material", &T::material, "0 … materials − 1", has_lighting},
+      {"light", &T::light, "0 … lights − 1", has_lighting},
+      {"gloss", &T::gloss, "k, squarings: 0 … log2(gloss)", has_gloss},
+      {"normal", &T::normal, "p + 1: of any length, so that no component is 1", has_lighting},
+      {"direction", &T::direction, "u + 2, u = b + 8: of a unit vector", has_lighting},
+      {"squared_length", &T::squared_length, "2p + 2: at most 3·2^2p units", has_lighting},
+      {"root", &T::root, "y of reciprocal_sqrt, ½ … 1", has_lighting},
+      {"root_shift", &T::root_shift, "k of reciprocal_sqrt, 0 … p", has_lighting},
+      {"dot", &T::dot, "p + u + 4: at most 3·2^(p+u+1) units", has_lighting},
+      {"projection", &T::projection, "u + 1: n·L of 1 <= |n| < 2, above 0", has_lighting},
+      {"cosine", &T::cosine, "u + 1: 0 … 1; an exponent of 16 leaves 2^−4 LSB of its last place", has_lighting},
+      {"coefficient", &T::coefficient, "b + 2 + 6: four times full scale, 1/128 LSB of rounding", has_lighting},
+      {"light_sum", &T::light_sum, "base, diffuse, specular of each light, times 1 at most", has_lighting}};
+  return fields;
+}
+
 std::string format_name(const NumberFormat& format) {
   return fmt::format("{}{}.{}", format.is_signed ? 's' : 'u', format.integer, format.width - format.integer);
 }

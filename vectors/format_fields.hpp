@@ -17,6 +17,8 @@ struct FormatField {
   bool (*is_used)(const Config&);  // else no unit has such a number
 };
 const std::vector<FormatField>& format_fields();
+// Those of lighting.
+const std::vector<FormatField>& lighting_format_fields();
 
 // "u13.0", "s11.8": sign, bits before and after the point.
 std::string format_name(const NumberFormat& format);

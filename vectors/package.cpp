@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include "hls/reciprocal_sqrt.hpp"
 #include "vectors/engine.hpp"
+#include "vectors/lighting.hpp"
 
 namespace halfspace::vectors {
 namespace {
@@ -34,6 +36,58 @@ std::string record(const Layout& layout) {
   return text + fmt::format("  }} {}{}_t;\n\n", layout.stream, has_lanes ? "_head" : "");
 }
 
+std::string constants_text(const std::vector<std::pair<const char*, int>>& constants) {
+  std::string text;
+  for (const auto& [name, value] : constants) text += fmt::format("  localparam int unsigned {} = {};\n", name, value);
+  return text;
+}
+
+// Entry 0 last: a table is {v, s} a segment, segment 0 in the least significant place.
+std::string root_table_text() {
+  const RootTable table = root_table();
+  const int bits = kRootValueFraction + kRootSlopeBits;
+  std::string text = fmt::format("  localparam logic [{}:0] RootTable = {{\n", kRootSegments * bits - 1);
+  for (int i = kRootSegments - 1; i >= 0; --i) {
+    text += fmt::format("{}{}'h{:08x}{}", (kRootSegments - 1 - i) % 6 == 0 ? "    " : " ", bits,
+                        table.value[i] << kRootSlopeBits | table.slope[i], i == 0 ? "\n  };\n" : ",");
+    if ((kRootSegments - i) % 6 == 0 && i != 0) text += "\n";
+  }
+  return text;
+}
+
+// What lighting adds: numbers, the table of the reciprocal root, types and records. Nothing without it.
+std::string lighting_text(const Config& c) {
+  if (!has_lighting(c)) return "";
+  const FormatTable t = format_table(c);
+  const std::vector<Layout> layouts = make_lighting_engine(c)->layouts();
+  std::string text = constants_text({{"NormalBits", t.normal.width},
+                                     {"Lights", c.lights},
+                                     {"LightBits", t.light.width},
+                                     {"Materials", c.materials},
+                                     {"MaterialBits", t.material.width},
+                                     {"HasGloss", has_gloss(c)},
+                                     {"Squarings", exact_log2(c.gloss)},
+                                     {"GlossBits", has_gloss(c) ? t.gloss.width : 0},
+                                     {"DirectionBits", t.direction.width},
+                                     {"SquaredLengthBits", t.squared_length.width},
+                                     {"RootIndexBits", kRootIndexBits},
+                                     {"RootOffsetBits", kRootOffsetBits},
+                                     {"RootValueFraction", kRootValueFraction},
+                                     {"RootSlopeBits", kRootSlopeBits},
+                                     {"RootBits", t.root.width},
+                                     {"RootShiftBits", t.root_shift.width},
+                                     {"DotBits", t.dot.width},
+                                     {"CosineBits", t.cosine.width},
+                                     {"CoefficientBits", t.coefficient.width},
+                                     {"LightWordBits", layouts[0].bits},
+                                     {"MaterialWordBits", layouts[1].bits},
+                                     {"LightSumBits", t.light_sum.width},
+                                     {"LightSumFraction", t.light_sum.width - t.light_sum.integer}});
+  text += "\n" + root_table_text() + "\n";
+  for (const Layout& layout : layouts) text += record(layout);
+  return text;
+}
+
 }  // namespace
 
 std::string formats_package(const Configuration& configuration) {
@@ -42,7 +96,7 @@ std::string formats_package(const Configuration& configuration) {
   // What is not there has no bits and no type.
   const bool depth = has_depth(c), gouraud = is_gouraud(c), planes = has_planes(c);
   const auto bits = [](bool there, const NumberFormat& format) { return there ? format.width : 0; };
-  const std::pair<const char*, int> constants[] = {
+  const std::vector<std::pair<const char*, int>> constants = {
       {"HasDepth", depth},
       {"StoresDepth", stores_depth(c)},
       {"Gouraud", gouraud},
@@ -95,15 +149,14 @@ std::string formats_package(const Configuration& configuration) {
       "// and hls/records.hpp: change those, not this file.\n"
       "package hs_formats_pkg;\n\n",
       configuration.name());
-  for (const auto& [name, value] : constants) text += fmt::format("  localparam int unsigned {} = {};\n", name, value);
-  text += "\n";
+  text += constants_text(constants) + "\n";
   for (const Type& type : types) {
     if (type.is_there) text += fmt::format("  typedef {}{}_t;\n", range(type.format.width, type.format.is_signed), type.name);
   }
   text += "\n";
   // Any number of lanes would do: nothing printed depends on it.
   for (const Layout& layout : make_engine(configuration, 2)->layouts()) text += record(layout);
-  return text + "endpackage\n";
+  return text + lighting_text(c) + "endpackage\n";
 }
 
 }  // namespace halfspace::vectors

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "hls/buffers.hpp"
+#include "hls/lighting.hpp"
 
 namespace halfspace {
 
@@ -121,9 +122,9 @@ struct RuntimeFormats {
   static constexpr int kLanesX = S::kX, kLanesY = S::kY, kLanes = S::kX * S::kY;
   static constexpr int kLog2LanesX = exact_log2(kLanesX), kLog2LanesY = exact_log2(kLanesY);
   static inline thread_local int kWidth, kHeight, kStampsX, kStampsY, kStamps, kTriangles, kSubpixelBits,
-      kReciprocalFraction, kAreaBits, kDepthBits, kColourBits;
+      kReciprocalFraction, kAreaBits, kDepthBits, kColourBits, kLights, kMaterials, kSquarings;
   using CompilesPlaneTest = std::true_type;
-  static inline thread_local bool kHasDepth, kGouraud, kHasPlanes, kStoresDepth, kTestsPlanes;
+  static inline thread_local bool kHasDepth, kGouraud, kHasPlanes, kStoresDepth, kTestsPlanes, kHasLighting, kHasGloss;
 
   static void activate(const Config& c, const FormatTable& table) {
     runtime_table = table;
@@ -137,6 +138,8 @@ struct RuntimeFormats {
     kDepthBits = c.depth_bits, kColourBits = c.colour_bits;
     kHasDepth = has_depth(c), kGouraud = is_gouraud(c), kHasPlanes = has_planes(c);
     kStoresDepth = stores_depth(c), kTestsPlanes = tests_planes(c);
+    kHasLighting = has_lighting(c), kHasGloss = has_gloss(c);
+    kLights = c.lights, kMaterials = c.materials, kSquarings = exact_log2(c.gloss);
   }
 
   using X = RuntimeFixed<&FormatTable::x, false>;
@@ -156,6 +159,19 @@ struct RuntimeFormats {
   using Colour = RuntimeFixed<&FormatTable::colour, false>;
   using ColourPlane = RuntimeFixed<&FormatTable::colour_plane, false>;
   using ColourGradient = RuntimeFixed<&FormatTable::colour_gradient, true>;
+  using MaterialNumber = RuntimeFixed<&FormatTable::material, false>;
+  using LightNumber = RuntimeFixed<&FormatTable::light, false>;
+  using Gloss = RuntimeFixed<&FormatTable::gloss, false>;
+  using Normal = RuntimeFixed<&FormatTable::normal, true>;
+  using Direction = RuntimeFixed<&FormatTable::direction, true>;
+  using SquaredLength = RuntimeFixed<&FormatTable::squared_length, false>;
+  using Root = RuntimeFixed<&FormatTable::root, false>;
+  using RootShift = RuntimeFixed<&FormatTable::root_shift, false>;
+  using Dot = RuntimeFixed<&FormatTable::dot, true>;
+  using Projection = RuntimeFixed<&FormatTable::projection, false>;
+  using Cosine = RuntimeFixed<&FormatTable::cosine, false>;
+  using Coefficient = RuntimeFixed<&FormatTable::coefficient, false>;
+  using LightSum = RuntimeFixed<&FormatTable::light_sum, false>;
   struct DepthChannel {
     using Value = RuntimeFormats::Depth;
     using PlaneValue = RuntimeFormats::DepthPlane;
@@ -215,6 +231,12 @@ template <class S>
 struct VisibilityDatabase<RuntimeFormats<S>> {
   using F = RuntimeFormats<S>;
   RuntimeEntries<DepthEntry<F>> entry{F::kTestsPlanes ? F::kTriangles : 1};
+};
+
+template <class S>
+struct MaterialTable<RuntimeFormats<S>> {
+  using F = RuntimeFormats<S>;
+  std::vector<RuntimeRow<Material<F>, kMostLights>> entry = decltype(entry)(std::size_t(F::kMaterials));
 };
 
 }  // namespace halfspace

@@ -28,7 +28,9 @@ const std::map<std::string, Ends> kEnds = {
     {"triangle_depth", {"raster_pineda", "ztest_plane", ""}},
     {"stamp", {"raster_pineda", "ztest_index", ""}},       {"update", {"ztest_index", "buffers", ""}},
     {"visible", {"ztest_index", "geometry", ""}},          {"scan", {"scan_index", "shade_gouraud", ""}},
-    {"pixel", {"shade_gouraud", "frame", "scan"}},
+    {"pixel", {"shade_gouraud", "frame", "scan"}},         {"light", {"host", "light_vertex", ""}},
+    {"material", {"host", "light_vertex", ""}},           {"normals", {"geometry", "light_vertex", ""}},
+    {"colours", {"light_vertex", "shade_setup", ""}},
 };
 
 // A .hex file and the digest of its text.
@@ -104,9 +106,14 @@ std::string write_vector_set(const std::string& folder, const VectorSetOptions& 
   if (frames.empty()) throw ref::Error("a vector set needs a frame at least: name a scene");
   const Configuration& configuration = options.configuration;
   const auto engine = make_engine(configuration, options.lanes);
+  const auto lighting = make_lighting_engine(configuration.config());
+  std::vector<Layout> layouts = engine->layouts();
+  if (lighting) {
+    for (const Layout& layout : lighting->layouts()) layouts.push_back(layout);
+  }
   StagedFolder staged(folder);
   std::map<std::string, HexFile> files;
-  for (const Layout& layout : engine->layouts()) {
+  for (const Layout& layout : layouts) {
     files.emplace(layout.stream, HexFile(staged.path(layout.stream + ".hex"), layout, tests_planes(configuration.config())));
     files.at(layout.stream).comment(fmt::format("{} {} lanes {}: {} bits a word", layout.stream, configuration.name(),
                                                 options.lanes, layout.bits));
@@ -118,9 +125,11 @@ std::string write_vector_set(const std::string& folder, const VectorSetOptions& 
     for (auto& [name, file] : files) {
       file.comment(fmt::format("frame {}: {}, {}x{}", n, frames[n].note, scene.width, scene.height));
     }
-    engine->capture(scene, [&](const Layout& layout, const Word* words, std::size_t count) {
+    const WordSink sink = [&](const Layout& layout, const Word* words, std::size_t count) {
       files.at(layout.stream).words(words, count);
-    });
+    };
+    engine->capture(scene, sink);
+    if (lighting) lighting->capture(frames[n].lighting, sink);
     frame_list.push_back({{"width", scene.width},
                           {"height", scene.height},
                           {"background", scene.background},
@@ -130,7 +139,7 @@ std::string write_vector_set(const std::string& folder, const VectorSetOptions& 
   }
 
   Json streams = Json::array();
-  for (const Layout& layout : engine->layouts()) streams.push_back(files.at(layout.stream).close());
+  for (const Layout& layout : layouts) streams.push_back(files.at(layout.stream).close());
   const Json manifest = {{"format", "halfspace-vectors 1"},
                          {"scene", options.scene},
                          {"config", configuration.name()},

@@ -9,12 +9,14 @@
 
 #include "ref/snap.hpp"
 #include "vectors/configuration.hpp"
+#include "vectors/lighting.hpp"
 
 namespace halfspace::vectors {
 
 struct NamedFrame {
   std::string note;  // what the frame is for
   ref::SnappedList scene;
+  LightingFrame lighting = {};  // for light_vertex; may have nothing to light
 };
 
 struct VectorSetOptions {

@@ -26,6 +26,8 @@ constexpr int kAttributesFields = TopFormats::kGouraud ? 20 : 6, kPlanesFields =
 constexpr int kStampFields = 5 + (TopFormats::kHasDepth ? 2 : 1) * TopFormats::kLanes, kTriangleDepthFields = 6;
 constexpr int kUpdateFields = 3 + (TopFormats::kStoresDepth ? 2 : 1) * TopFormats::kLanes, kVisibleFields = 3;
 constexpr int kScanFields = 3 + TopFormats::kLanes, kPixelFields = 3 + 3 * TopFormats::kLanes;
+constexpr int kLightFields = 1 + (TopFormats::kHasGloss ? 6 : 3), kMaterialFields = 2 + (TopFormats::kHasGloss ? 10 : 6);
+constexpr int kNormalsFields = 3 + (TopFormats::kGouraud ? 9 : 3), kColoursFields = 2 + kVertexColours;
 
 class FieldReader {
  public:

@@ -23,6 +23,7 @@ sys.path.insert(0, str(TB))
 from model import LANES_X, Broken, build, run  # noqa: E402
 
 KEYS = ["why", "file", "find", "with", "unit", "says"]
+UNITS = {"hs_units": 6, "hs_light_units": 1}  # that a top has
 BENCH = re.compile(r"^bench (\w+) \S+ \w+: (\d+) words on \d+ streams compared, (\d+) mismatches, \d+ cycles$",
                    re.MULTILINE)
 FAIL = re.compile(r"^FAIL (\w+): (.*)$", re.MULTILINE)
@@ -54,14 +55,14 @@ def seed_fault(fault, rtl):
     path.write_text(text.replace(fault["find"], fault["with"]))
 
 
-def judge(output, status, guilty, says):
-    """What is wrong with a report, or ''. `guilty`: the units that have to fail."""
+def judge(output, status, guilty, says, units):
+    """What is wrong with a report, or ''. `guilty`: the units that have to fail, of at least `units` that report."""
     benches = {unit: (int(words), int(mismatches)) for unit, words, mismatches in BENCH.findall(output)}
     reports = {}
     for unit, text in FAIL.findall(output):
         reports.setdefault(unit, []).append(text)
-    if len(benches) < 6:
-        return f"only {len(benches)} of 6 units reported"
+    if len(benches) < units:
+        return f"only {len(benches)} of {units} units reported"
     for unit, (words, mismatches) in benches.items():
         if unit not in guilty:
             if words == 0 or mismatches or unit in reports:
@@ -86,13 +87,13 @@ def try_fault(args, fault):
     try:
         if fault:
             seed_fault(fault, work / "rtl")
-        bench = build(args.package or work / "rtl" / args.config / "hs_formats_pkg.sv", args.lanes, "hs_units", work / "model", args.library,
+        bench = build(args.package or work / "rtl" / args.config / "hs_formats_pkg.sv", args.lanes, args.top, work / "model", args.library,
                       rtl=work / "rtl", verilator=args.verilator, cxx=args.cxx)
         result = subprocess.run([bench, args.vectors, "--stall", "30", "--seed", "1"], capture_output=True, text=True,
                                 timeout=600)
         output = result.stdout + result.stderr
         (work / "report.txt").write_text(output)
-        wrong = judge(output, result.returncode, set(guilty), fault["says"] if fault else "")
+        wrong = judge(output, result.returncode, set(guilty), fault["says"] if fault else "", UNITS[args.top])
         said = next((text for unit, text in FAIL.findall(output) if unit in guilty), "no fault, no report")
     except Broken as e:
         wrong, said = str(e), ""
@@ -116,6 +117,7 @@ def main():
     parser.add_argument("--rtl", type=pathlib.Path, default=TB.parent / "rtl")
     parser.add_argument("--faults", type=pathlib.Path, default=HERE / "faults.txt", help="default: %(default)s")
     parser.add_argument("--config", default="low", help="with --package: a .toml file")
+    parser.add_argument("--top", default="hs_units", choices=sorted(UNITS), help="default: %(default)s")
     parser.add_argument("--package", type=pathlib.Path, help="of a configuration that has none in rtl/")
     parser.add_argument("--lanes", type=int, default=4, choices=sorted(LANES_X))
     parser.add_argument("--jobs", type=int, default=1)

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// The reciprocal of a length, from its square q, a number of an even count T of bits:
+//
+//   k places as far as q·4^k < 2^T,  m = q·4^k / 2^(T−2) in [1, 4),  y = 1/√m in (½, 1)
+//
+// 1/√q = y·2^k / 2^(T/2−1). The field of m after its leading one, cut to 19 bits, names one of 128 segments an octave and a
+// place x in it; on a segment 1/√m is the line v − s·x, which lies as far above the curve in its middle as below at its
+// ends. The line alone is off by 3/4 · 2^−14 / 16 of y at most; with the cut, the last places of v and s and the one
+// rounding to 18 bits,
+//
+//   |y·√m − 1| < 2^−17      for every m (lighting_test tries all fields, at both ends of what the cut takes away).
+//
+// q = 0 gives some y and k.
+#ifndef HALFSPACE_HLS_RECIPROCAL_SQRT_HPP_
+#define HALFSPACE_HLS_RECIPROCAL_SQRT_HPP_
+
+#include "formats.hpp"
+#include "stream.hpp"
+
+namespace halfspace {
+
+// Bits that name a segment of an octave, and a place in it; fraction bits of v and s, which are a word of 32 bits together.
+constexpr int kRootIndexBits = 7, kRootOffsetBits = 12, kRootValueFraction = 20, kRootSlopeBits = 12;
+constexpr int kRootSegments = 2 << kRootIndexBits;  // of m in [1, 2), then of m in [2, 4)
+
+struct RootTable {
+  std::uint32_t value[kRootSegments], slope[kRootSegments];  // v, s
+};
+
+// floor(√n)
+constexpr std::uint64_t integer_sqrt(std::uint64_t n) {
+  std::uint64_t root = 0;
+  for (int bit = 31; bit >= 0; --bit) {
+    const std::uint64_t next = root | std::uint64_t(1) << bit;
+    if (next * next <= n) root = next;
+  }
+  return root;
+}
+
+// 2^28 / √m at m = 2^octave · (256 + i) / 256.
+constexpr std::int64_t root_sample(int octave, int i) {
+  return std::int64_t(integer_sqrt((~std::uint64_t(0) >> octave) / std::uint64_t(kRootSegments + i)));
+}
+
+constexpr RootTable root_table() {
+  RootTable table{};
+  const int places = 28 - kRootValueFraction;
+  const std::int64_t half = std::int64_t(1) << (places - 1);
+  // Rounded to kRootFraction bits, v is less than 1.
+  const std::int64_t largest = (std::int64_t(1) << kRootValueFraction) - 3;
+  for (int segment = 0; segment < kRootSegments; ++segment) {
+    const int octave = segment >> kRootIndexBits, at = 2 * (segment % (1 << kRootIndexBits));
+    const std::int64_t left = root_sample(octave, at), middle = root_sample(octave, at + 1), right = root_sample(octave, at + 2);
+    const std::int64_t sag = (left + right) / 2 - middle;
+    const std::int64_t value = (left - sag / 2 + half) >> places;
+    table.value[segment] = std::uint32_t(value < largest ? value : largest);
+    table.slope[segment] = std::uint32_t((left - right + half) >> places);
+  }
+  return table;
+}
+
+template <class F>
+struct ReciprocalRoot {
+  typename F::RootShift shift;  // k
+  typename F::Root root;        // y
+};
+
+template <class F>
+ReciprocalRoot<F> reciprocal_sqrt(const typename F::SquaredLength& length) {
+  static constexpr RootTable kTable = root_table();
+  const int top = F::SquaredLength::width() - 1;
+  std::uint64_t q = raw(length);
+  int shift = 0;
+Normalize:
+  for (int step = 16; step > 0; step /= 2) {
+    HS_UNROLL
+    if (2 * step <= top && q >> (top + 1 - 2 * step) == 0) {
+      q <<= 2 * step;
+      shift += step;
+    }
+  }
+  const int octave = int(q >> top & 1);
+  // The leading one at `top`, and the field below it.
+  const int field_bits = kRootIndexBits + kRootOffsetBits;
+  const std::uint64_t field = (octave ? q : q << 1) >> (top - field_bits) & ((std::uint64_t(1) << field_bits) - 1);
+  const int segment = octave << kRootIndexBits | int(field >> kRootOffsetBits);
+  const std::uint64_t offset = field & ((std::uint64_t(1) << kRootOffsetBits) - 1);
+  const std::uint64_t line = (std::uint64_t(kTable.value[segment]) << kRootOffsetBits) - kTable.slope[segment] * offset;
+  const int places = kRootValueFraction + kRootOffsetBits - kRootFraction;
+
+  ReciprocalRoot<F> result;
+  result.shift = from_raw<typename F::RootShift>(shift);
+  result.root = from_raw<typename F::Root>((line + (std::uint64_t(1) << (places - 1))) >> places);
+  return result;
+}
+
+}  // namespace halfspace
+
+#endif  // HALFSPACE_HLS_RECIPROCAL_SQRT_HPP_

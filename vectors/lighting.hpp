@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// Frames of normals for the lighting kernels: as integers, from a scene or made to be awkward, and the kernels that light them.
+#ifndef HALFSPACE_VECTORS_LIGHTING_HPP_
+#define HALFSPACE_VECTORS_LIGHTING_HPP_
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hls/formats.hpp"
+#include "ref/distant_lighting.hpp"
+#include "vectors/configuration.hpp"
+#include "vectors/layout.hpp"
+
+namespace halfspace::vectors {
+
+// The raw bits of the records of the same names.
+struct RawLight {
+  std::array<int, 3> to_light, half;
+};
+struct RawReflection {  // an entry of the table of materials
+  std::array<int, 3> base, diffuse, specular;
+};
+struct RawMaterial {
+  int gloss = 0;
+  std::vector<RawReflection> reflections;  // a light each
+};
+struct RawNormals {
+  int index = 1, material = 0;
+  std::array<std::array<int, 3>, 3> normals{};  // [vertex][component]
+};
+
+struct LightingFrame {
+  std::string note;
+  std::vector<RawLight> lights;  // as many as the configuration has, as have all materials
+  std::vector<RawMaterial> materials;
+  std::vector<RawNormals> triangles;
+};
+
+// log2 of the largest exponent of a configuration; −1 without highlights.
+int most_squarings(const Config& config);
+
+// Throws ref::Error where the scene has more lights or materials than the configuration. Coefficients beyond four times
+// full scale are those four times.
+LightingFrame quantized_lighting(const ref::DistantScene& scene, const Config& config);
+
+// Annotated corner cases, then random frames.
+std::vector<LightingFrame> lighting_frames(const Config& config, std::uint64_t seed);
+
+// The kernels of light_vertex.
+class LightingEngine {
+ public:
+  virtual ~LightingEngine() = default;
+
+  // light, material, normals, colours.
+  virtual std::vector<Layout> layouts() const = 0;
+  // The words of each stream of a frame, in this order.
+  virtual void capture(const LightingFrame& frame,
+                       const std::function<void(const Layout&, const Word*, std::size_t count)>& sink) = 0;
+  // [triangle][vertex][channel] before rounding, as raw bits of light_sum; of a flat triangle, vertex 0 alone.
+  virtual std::vector<std::array<std::array<std::uint64_t, 3>, 3>> sums(const LightingFrame& frame) = 0;
+  // The colours that leave the unit.
+  virtual std::vector<std::array<std::array<int, 3>, 3>> colours(const LightingFrame& frame) = 0;
+};
+
+// Null for a configuration without lighting. `table` may differ from the one that follows from the configuration.
+std::unique_ptr<LightingEngine> make_lighting_engine(const Config& config);
+std::unique_ptr<LightingEngine> make_lighting_engine(const Config& config, const FormatTable& table);
+
+}  // namespace halfspace::vectors
+
+#endif  // HALFSPACE_VECTORS_LIGHTING_HPP_

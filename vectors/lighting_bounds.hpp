@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// How far off the lighting kernels may be, by proof and as seen, and the exact formula on the integers that they take.
+// docs/numerics.md has the derivation.
+#ifndef HALFSPACE_VECTORS_LIGHTING_BOUNDS_HPP_
+#define HALFSPACE_VECTORS_LIGHTING_BOUNDS_HPP_
+
+#include "vectors/bounds.hpp"
+#include "vectors/bounds_proved.hpp"
+#include "vectors/lighting.hpp"
+
+namespace halfspace::vectors {
+
+// ρ: of |y·√m − 1| of reciprocal_sqrt. lighting_test tries every field.
+constexpr Dyadic kRootBound = {1, -17};
+
+// δ, of a cosine: ρ + 2^−u.
+Dyadic cosine_bound(const Config& config);
+// e_j, of a cosine squared j times: 2·e_(j−1) + 2^−(u+1), e_0 = δ.
+Dyadic power_bound(const Config& config, int squarings);
+// Of the sum in LSB before rounding, one light that is white at full scale, with the largest exponent that is built.
+Dyadic light_bound(const Config& config);
+
+// A channel of a lit normal that is not 0, in LSB, and the bound of its sum.
+struct ExactLight {
+  long double value, bound;
+};
+ExactLight exact_light(const LightingFrame& frame, int material, const std::array<int, 3>& normal, int channel, const Config& config);
+
+// The kernels of a configuration with lighting, into its rows of the report: random lights, for each a search of normals for
+// the largest errors.
+void measure_lighting(const Config& config, std::uint64_t seed, int lights, BoundsReport& report);
+
+}  // namespace halfspace::vectors
+
+#endif  // HALFSPACE_VECTORS_LIGHTING_BOUNDS_HPP_
