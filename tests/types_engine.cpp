@@ -24,6 +24,7 @@ struct OwnLow : Low {};
 struct OwnMiddle : Middle {};
 struct OwnHigh : High {};
 struct OwnFlatOnly : FlatOnly {};
+struct OwnGamma : Gamma {};
 
 template <class C>
 std::unique_ptr<vectors::Engine> make() {
@@ -38,6 +39,7 @@ std::unique_ptr<vectors::Engine> HS_MAKE_ENGINE(const std::string& config) {
          : config == Middle::config().name   ? make<OwnMiddle>()
          : config == High::config().name     ? make<OwnHigh>()
          : config == FlatOnly::config().name ? make<OwnFlatOnly>()
+         : config == Gamma::config().name    ? make<OwnGamma>()
                                              : nullptr;
 }
 
