@@ -154,8 +154,8 @@ struct TriangleDepth {
   }
 };
 
-// raster_pineda → the Z-test, ztest_index or ztest_plane: a stamp with a covered pixel. A triangle that covers none sends one with an empty
-// mask, for the end of the triangle.
+// raster_pineda → the Z-test, ztest_index or ztest_plane: a stamp with a covered pixel. A triangle that covers none sends one
+// with an empty mask, for the end of the triangle.
 template <class F>
 struct Stamp {
   static constexpr const char* kStream = "stamp";

@@ -67,7 +67,8 @@ module hs_raster_pineda #(
   logic [Lanes-1:0] inside_frame, mask;
   logic [LanesBits-1:0] lane_fields;
 
-  logic load, free, plane_free, visit, found, searching, can_go_right, can_go_left, want_right, want_left;
+  logic free, plane_free;  // for the next triangle: the walk, and what offers its depth plane
+  logic load, visit, found, searching, can_go_right, can_go_left, want_right, want_left;
   logic go_right, go_left, go_back, row_done, triangle_done, finish, covered, hold_ready;
   logic keep_left, keep_below;
   logic [5:0] move;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stream triangle_depth of hs_raster_pineda, where the Z-test evaluates planes (type gamma): the
-// depth plane of each triangle whose walk begins, from its setup.
+// The stream triangle_depth of hs_raster_pineda, where the Z-test evaluates planes (type gamma):
+// the depth plane of each triangle whose walk begins, from its setup.
 //
 // A word a walk; the output is a register. Stall: free_o falls while a word is not taken; load_i
 // waits for it.

@@ -4,17 +4,17 @@
 // those of a Z-buffer). A triangle is reported visible, and has its plane in TdbV, when a fragment
 // of it passed.
 //
-// Interval: a stamp takes a slot, that is a cycle, for each different triangle that is stored in its
-// covered lanes, one if there is none; a triangle takes one more, for its plane. A stamp that has a
-// pixel in common with one in flight waits until that one is written, 11 cycles behind it. Latency:
-// 11 cycles from a stamp of one slot to its write, 12 to `visible`. Stages: read | data | pick,
+// Interval: a stamp takes a slot, that is a cycle, for each different triangle stored in its covered
+// lanes, one if there is none; a triangle takes one more, for its plane. A stamp that has a pixel in
+// common with one in flight waits until that one is written, 11 cycles behind it. Latency: 11 cycles
+// from a stamp of one slot to its write, 12 to `visible`. Stages: read | data | pick,
 // where a stamp becomes slots | fetch | plane | five of hs_plane_lanes | write.
 // Stall: everything stops while a `visible` is not taken and the next one is due, and while a
 // triangle is begun whose triangle_depth is not there.
 // Buffers: a read takes one cycle, its word stays until the next read. The I-buffer has two banks,
-// used in turn by the frames, the first one by the first frame after reset; a bank is all 0 when its
-// frame begins. TdbV: entry index − 1, {plane at the centre of pixel (0, 0), dx, dy}; one bank, as a
-// frame reads what it has written itself. It is written with the triangle's first write of the
+// used in turn by the frames, the first one by the first frame after reset; a bank is all 0 when
+// its frame begins. TdbV: entry index − 1, {plane at the centre of pixel (0, 0), dx, dy}; one bank,
+// as a frame reads what it has written itself. It is written with the triangle's first write of the
 // I-buffer, so that who reads the index finds the plane.
 // Illegal: index 0 with a covered pixel.
 module hs_ztest_plane #(
@@ -177,7 +177,8 @@ module hs_ztest_plane #(
   hs_formats_pkg::visible_t visible_q;
   hs_formats_pkg::update_head_t update_head;
 
-  assign slot_pass = (lanes_q[(Stages-1)*Lanes +: Lanes] | far_q[(Stages-1)*Lanes +: Lanes]) & nearer;
+  assign slot_pass =
+      (lanes_q[(Stages-1)*Lanes +: Lanes] | far_q[(Stages-1)*Lanes +: Lanes]) & nearer;
   assign pass_d = merged_q | slot_pass;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin

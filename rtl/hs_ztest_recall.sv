@@ -27,7 +27,7 @@ module hs_ztest_recall #(
   input  logic [Lanes*DepthBits-1:0]   stamp_depth_i,
 
   // A slot comes in
-  input  logic                         begins_i,  // with the plane of its triangle; else that of TdbV
+  input  logic                         begins_i,  // its triangle, and brings its plane
   input  logic [TriangleDepthBits-1:0] triangle_depth_i,
   input  logic [3*PlaneBits-1:0]       fetch_plane_i,
   input  hs_formats_pkg::x_t           x_i,  // of the stamp

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The first stages of hs_ztest_plane, read | data | pick: a stamp waits until no stamp in flight has a
-// pixel in common with it, reads its word of the I-buffer, and becomes slots: one for the plane of its
-// triangle if it is the first of it, then one for each different triangle that is stored in its
+// The first stages of hs_ztest_plane, read | data | pick: a stamp waits until no stamp in flight has
+// a pixel in common with it, reads its word of the I-buffer, and becomes slots: one for the plane of
+// its triangle if it is the first of it, then one for each different triangle that is stored in its
 // covered lanes, at least one.
 //
-// Everything stops while go_i is 0; a slot leaves in each other cycle in which slot_valid_o is 1. It
-// stays in flight for SlotStages cycles more, and is written in the one after.
+// Everything stops while go_i is 0; a slot leaves in each other cycle in which slot_valid_o is 1.
+// It stays in flight for SlotStages cycles more, and is written in the one after.
 module hs_ztest_slots #(
   parameter int unsigned SlotStages,
   parameter int unsigned LanesX = 2,
@@ -68,8 +68,10 @@ module hs_ztest_slots #(
   end
 
   // Whatever the bank: a new frame rarely meets the one before.
-  assign meets_data = data_valid_q && data_address_q == read_address_q && |(data_mask_q & read_mask_q);
-  assign meets_pick = pick_valid_q && pick_address_q == read_address_q && |(pick_mask_q & read_mask_q);
+  assign meets_data =
+      data_valid_q && data_address_q == read_address_q && |(data_mask_q & read_mask_q);
+  assign meets_pick =
+      pick_valid_q && pick_address_q == read_address_q && |(pick_mask_q & read_mask_q);
   assign meets = meets_data || meets_pick || meets_flight;
 
   assign data_free = !data_valid_q || pick_free;

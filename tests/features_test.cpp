@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Gouraud or flat, with depth or without, with a Z-buffer or TdbV: the kernels against the reference, compiled against read at run time, and what
-// is not there is in no word, no package and no file.
+// Gouraud or flat, with depth or without, with a Z-buffer or TdbV: the kernels against the reference, compiled against read
+// at run time, and what is not there is in no word, no package and no file.
 #include <gtest/gtest.h>
 
 #include <fstream>

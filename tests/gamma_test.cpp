@@ -160,7 +160,8 @@ TEST(Gamma, TestsCostACycleForEachStoredTriangle) {
     t.depth = {depth, depth, depth};
     return t;
   };
-  const ref::SnappedList scene{vectors::raster_format("low"), 2, 2, {0, 0, 0}, {whole(100), whole(60000), ref::SnappedTriangle{}}};
+  const ref::SnappedList scene{vectors::raster_format("low"), 2, 2, {0, 0, 0},
+                             {whole(100), whole(60000), ref::SnappedTriangle{}}};
   const std::vector<PlaneTests> tests = engine->plane_tests(scene);
   ASSERT_EQ(tests.size(), 3u);
   // One for its plane, and one for its stamp: over the background, over a triangle, over nothing.

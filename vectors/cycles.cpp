@@ -75,7 +75,8 @@ class Pipeline {
 
   // Its first triangle is let in at `open`; returns when it is drawn and its planes are stored.
   // `tests`: of the Z-test of each triangle; 0 if it is always as fast as the rasterizer.
-  Cycle draw(Cycle open, const std::vector<SetupWork>& triangles, const std::vector<int>& visits, const std::vector<int>& tests) {
+  Cycle draw(Cycle open, const std::vector<SetupWork>& triangles, const std::vector<int>& visits,
+             const std::vector<int>& tests) {
     edge_free_ = std::max(edge_free_, open);
     for (std::size_t k = 0; k < triangles.size(); ++k) {
       triangle(triangles[k], k + 1 == triangles.size(), std::max(visits[k], 1), tests[k]);

@@ -20,9 +20,11 @@ class KernelEngine : public Engine {
   int lanes_y() const override { return F::kLanesY; }
 
   std::vector<Layout> layouts() const override {
-    std::vector<Layout> layouts = {layout<Triangle<F>>(), layout<Setup<F>>(), layout<Attributes<F>>(), layout<Planes<F>>()};
+    std::vector<Layout> layouts = {layout<Triangle<F>>(), layout<Setup<F>>(), layout<Attributes<F>>(),
+                                   layout<Planes<F>>()};
     if (F::kTestsPlanes) layouts.push_back(layout<TriangleDepth<F>>());
-    for (const Layout& next : {layout<Stamp<F>>(), layout<Update<F>>(), layout<Visible<F>>(), layout<Scan<F>>(), layout<Pixel<F>>()}) {
+    for (const Layout& next : {layout<Stamp<F>>(), layout<Update<F>>(), layout<Visible<F>>(), layout<Scan<F>>(),
+                               layout<Pixel<F>>()}) {
       layouts.push_back(next);
     }
     return layouts;
@@ -67,10 +69,12 @@ class KernelEngine : public Engine {
     std::vector<Visible<F>> visible;
     std::vector<Scan<F>> scan;
     std::vector<Pixel<F>> pixel;
-    s.triangle.tap(&triangle), s.setup.tap(&setup), s.attributes.tap(&attributes), s.planes.tap(&planes), s.triangle_depth.tap(&triangle_depth);
+    s.triangle.tap(&triangle), s.setup.tap(&setup), s.attributes.tap(&attributes), s.planes.tap(&planes);
+    s.triangle_depth.tap(&triangle_depth);
     s.stamp.tap(&stamp), s.update.tap(&update), s.visible.tap(&visible), s.scan.tap(&scan), s.pixel.tap(&pixel);
     render(scene);
-    s.triangle.tap(nullptr), s.setup.tap(nullptr), s.attributes.tap(nullptr), s.planes.tap(nullptr), s.triangle_depth.tap(nullptr);
+    s.triangle.tap(nullptr), s.setup.tap(nullptr), s.attributes.tap(nullptr), s.planes.tap(nullptr);
+    s.triangle_depth.tap(nullptr);
     s.stamp.tap(nullptr), s.update.tap(nullptr), s.visible.tap(nullptr), s.scan.tap(nullptr), s.pixel.tap(nullptr);
     tell(triangle, sink), tell(setup, sink), tell(attributes, sink), tell(planes, sink);
     if (F::kTestsPlanes) tell(triangle_depth, sink);
