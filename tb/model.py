@@ -25,19 +25,34 @@ def run(command, what):
     return result.stdout
 
 
-def build(package, lanes, top, out, libraries, rtl=TB.parent / "rtl", verilator="verilator", cxx="c++", optimize="-O0"):
-    """The bench of `top` (hs_units, hs_light_units or hs_pipeline) in folder `out`. `libraries`: the harness and Verilator's, in this order."""
+def netlist_of(sources, top, lanes_x, lanes_y, out, yosys):
+    """What Yosys understands of the sources, written out as Verilog: a tool may read a construct otherwise than Verilator
+    does and say nothing (CONTRIBUTING.md)."""
+    out.mkdir(parents=True, exist_ok=True)
+    netlist = out / "netlist.v"
+    files = " ".join(str(path) for path in sources)
+    run([yosys, "-q", "-p", f"read_verilog -sv {files}; hierarchy -check -top {top} -chparam LanesX {lanes_x} -chparam LanesY "
+         f"{lanes_y}; proc; opt; memory_collect; check -assert; chformal -remove; opt_clean; write_verilog -noattr {netlist}"], "yosys")
+    return netlist
+
+
+def build(package, lanes, top, out, libraries, rtl=TB.parent / "rtl", verilator="verilator", cxx="c++", optimize="-O0",
+          yosys=None):
+    """The bench of `top` (hs_units, hs_light_units or hs_pipeline) in folder `out`. `libraries`: the harness and Verilator's,
+    in this order. With `yosys`: of the netlist that it makes."""
     name = CONFIG.search(package.read_text()) if package.exists() else None
     if not name:
         raise Broken(f"{package}: no package of formats: print one with `halfspace package --config C -o {package}`")
     lanes_x = LANES_X[lanes]
     lanes_y = lanes // lanes_x
-    sources = [TB / "lint.vlt", *sorted(rtl.glob("hs_*.sv"))]
-    if top != "hs_pipeline":
-        sources += [TB / f"{top}.sv", TB / "hs_bench_ram.sv"]
+    sources = sorted(rtl.glob("hs_*.sv"))
+    sources += {"hs_units": [TB / "hs_units.sv", TB / "hs_bench_ram.sv"], "hs_pipeline": []}.get(top, [TB / f"{top}.sv"])
+    if yosys:
+        sources = [netlist_of([package, *sources], top, lanes_x, lanes_y, out, yosys)]
     flags = ["-Wno-fatal", "--noassert", "--x-initial", "unique"]
     run([sys.executable, TB / "verilate.py", "--verilator", verilator, "--top", top, "--lanes-x", lanes_x, "--lanes-y",
-         lanes_y, "--out", out, "--package", package, *(f"--flag={flag}" for flag in flags), *sources], "verilate.py")
+         lanes_y, "--out", out, "--package", package, *(["--netlist"] if yosys else []), *(f"--flag={flag}" for flag in flags), TB / "lint.vlt",
+         *sources], "verilate.py")
     root = run([verilator, "--getenv", "VERILATOR_ROOT"], verilator).strip()
     # Everything in one go: the headers cost more than the model.
     (out / "all.cpp").write_text('#include "fast.cpp"\n#include "slow.cpp"\n#include "binding.cpp"\n')
@@ -56,12 +71,13 @@ def main():
     parser.add_argument("--library", type=pathlib.Path, action="append", required=True,
                         help="the harness and Verilator's library, in this order: --library A.a --library B.a")
     parser.add_argument("--verilator", default="verilator")
+    parser.add_argument("--yosys", help="this program, to simulate the netlist that it makes of the RTL")
     parser.add_argument("--cxx", default="c++")
     parser.add_argument("--optimize", default="-O1", help="of the compiler (default: %(default)s)")
     args = parser.parse_args()
     try:
         print(build(args.package, args.lanes, args.top, args.out, args.library, verilator=args.verilator, cxx=args.cxx,
-                    optimize=args.optimize))
+                    optimize=args.optimize, yosys=args.yosys))
     except Broken as e:
         print(f"model: {e}", file=sys.stderr)
         return 1

@@ -40,6 +40,21 @@ foreach(pair IN ITEMS lit_low-teapot lit_middle-wheel lit_high-castle lit_high-p
            ${CMAKE_CURRENT_SOURCE_DIR}/configs/${name}.toml 4 --stall 30 --seeds 2 -- --no-corners --size 64x48)
 endforeach()
 
+# The netlist that Yosys makes of the unit.
+set(netlist ${CMAKE_CURRENT_BINARY_DIR}/model_light_netlist_lit_high_4)
+set(package ${CMAKE_CURRENT_BINARY_DIR}/model_light_units_lit_high_4/hs_formats_pkg.sv)
+add_custom_command(OUTPUT ${netlist}/bench
+  COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tb/model.py --package ${package} --lanes 4 --top hs_light_units --out ${netlist}
+    --yosys ${HALFSPACE_YOSYS} --library $<TARGET_FILE:halfspace_tb> --library $<TARGET_FILE:halfspace_verilated>
+    --verilator ${HALFSPACE_VERILATOR} --cxx ${CMAKE_CXX_COMPILER} --optimize=-O0
+  DEPENDS ${CMAKE_CURRENT_BINARY_DIR}/model_light_units_lit_high_4/bench ${PROJECT_SOURCE_DIR}/tb/model.py
+  COMMENT "Bench of the netlist of hs_light_units (lit_high.toml)" VERBATIM)
+add_custom_target(model_light_netlist_lit_high_4 DEPENDS ${netlist}/bench)
+add_dependencies(model_light_netlist_lit_high_4 model_light_units_lit_high_4)
+add_dependencies(all_tests model_light_netlist_lit_high_4)
+add_test(NAME light_netlist_lit_high COMMAND Python3::Interpreter ${cosim_tool} $<TARGET_FILE:halfspace> ${netlist}/bench
+         ${CMAKE_CURRENT_BINARY_DIR}/light_netlist_lit_high standard ${CMAKE_CURRENT_SOURCE_DIR}/configs/lit_high.toml 4 --stall 30 --seeds 1)
+
 # Multipliers: three a dot product, of which there are |n|² and one or two a light; the root's; a cosine's and a channel's for
 # diffuse light and for highlights; the squarings. Memories: the materials, and their exponents.
 function(halfspace_lighting_left name multipliers memories)

@@ -173,7 +173,7 @@ Configuration parse_configuration(const std::string& text, const std::string& so
     const auto at = std::find_if(fields.begin(), fields.end(), [&](const ConfigField& f) { return field == f.name; });
     if (at == fields.end()) {
       std::string known = "name";
-      for (const ConfigField& f : fields) known += fmt::format(", {}", f.name);
+      for (const ConfigField& f : config_fields()) known += fmt::format(", {}", f.name);
       known += ", shading, architecture";
       for (const ConfigField& f : lighting_fields()) known += fmt::format(", {}", f.name);
       throw ref::Error(fmt::format("{}:{}: there is no field '{}': the fields are {}", source, line, field, known));
