@@ -50,6 +50,7 @@ class Builder {
     const double handedness = glm::determinant(m) < 0 ? -1 : 1;
     for (const auto& corners : mesh.triangles) {
       DistantTriangle triangle{number(mesh, corners[0]), {}};
+      out_.of_face.push_back(std::uint32_t(out_.triangles.size()));
       for (int v = 0; v < 3; ++v) triangle.normals[v] = unit_or_zero(handedness * (cofactors * mesh.normals[corners[v]]));
       out_.triangles.push_back(triangle);
       if (!scene_.materials[mesh.material].two_sided) continue;

@@ -40,6 +40,7 @@ struct DistantScene {
   std::vector<DistantLight> lights;
   std::vector<DistantMaterial> materials;  // as many as differ
   std::vector<DistantTriangle> triangles;  // all of the scene; of a two-sided mesh each twice, seen from behind after it
+  std::vector<std::uint32_t> of_face;      // where the triangle of face n of the scene, from 1 on, stands: at [n - 1]
 };
 
 // log2 of the exponent, to nearest and within 0 … most; −1, no highlights, for a shininess of 0.

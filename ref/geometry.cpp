@@ -94,10 +94,6 @@ bool Geometry::faces_viewer(const std::array<Vertex, 3>& t) const {
   return (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]) < 0;
 }
 
-const Material& Geometry::material(std::size_t k) const {
-  return scene_.materials[scene_.meshes[scene_.instances[origins_[k].instance].mesh].material];
-}
-
 glm::dvec3 Geometry::normal(const Origin& origin, std::uint32_t corner) const {
   const Mesh& mesh = scene_.meshes[scene_.instances[origin.instance].mesh];
   glm::dvec3 normal = placements_[origin.instance].cofactors * mesh.normals[corner];

@@ -41,9 +41,8 @@ class Geometry {
 
   const TriangleList& positions() const { return list_; }  // all black
   const std::vector<Origin>& origins() const { return origins_; }
-  const std::vector<Light>& lights() const { return lights_; }  // see lights_of
+  const Scene& scene() const { return scene_; }
   const Viewpoint& viewpoint() const { return viewpoint_; }
-  const Material& material(std::size_t k) const;
 
   // Of the vertices of triangle `k` (from 0 on), 0-255. A corner is lit once, however many triangles share it.
   std::array<glm::dvec3, 3> colours(std::size_t k);

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "ref/distant_lighting.hpp"
 #include "ref/plane.hpp"
 
 namespace halfspace::ref {
@@ -84,16 +85,62 @@ class LitSurface : public Surface {
   std::vector<std::array<std::array<std::uint8_t, 3>, 3>> rgb_;
 };
 
+class PhongSurface : public Surface {
+ public:
+  PhongSurface(Geometry& geometry, const SnappedList& list)
+      : geometry_(geometry), list_(list), scene_(distant_scene(geometry.scene(), geometry.viewpoint(), kMostSquarings)) {}
+
+  int light(std::uint32_t) override { return 0; }
+  std::array<std::uint8_t, 4> colour(std::uint32_t k, int x, int y, std::uint64_t& lightings, std::uint64_t&) override {
+    if (k != k_) set(k);
+    const std::int64_t one = std::int64_t(1) << list_.format.subpixel_bits;
+    const std::int64_t px = x * one + one / 2, py = y * one + one / 2;
+    // Weights of the vertices: exact edge functions of the edges that face them, none negative.
+    glm::dvec3 normal(0);
+    for (int i = 0; i < 3; ++i) {
+      const int a = (i + 1) % 3, b = (i + 2) % 3;
+      const std::int64_t weight = (triangle_->x[b] - triangle_->x[a]) * (py - triangle_->y[a]) -
+                                  (triangle_->y[b] - triangle_->y[a]) * (px - triangle_->x[a]);
+      normal += double(weight) / double(triangle_->area) * normals_[triangle_->vertex[i]];
+    }
+    ++lightings;
+    const glm::dvec3 lit = distant_colour(scene_.materials[material_], scene_.lights, normal);
+    std::array<std::uint8_t, 4> colour{0, 0, 0, 255};
+    const int bits = list_.format.colour_bits;
+    for (int c = 0; c < 3; ++c) colour[c] = displayed_colour(snapped_colour(lit[c], bits), bits);
+    return colour;
+  }
+
+ private:
+  static constexpr int kMostSquarings = 4;  // gloss 16
+
+  void set(std::uint32_t k) {
+    k_ = k;
+    triangle_.emplace(list_.triangles[k - 1]);
+    normals_ = geometry_.normals(k - 1);
+    material_ = scene_.triangles[scene_.of_face[geometry_.positions().face[k - 1] - 1]].material;
+  }
+
+  Geometry& geometry_;
+  const SnappedList& list_;
+  const DistantScene scene_;
+  std::uint32_t k_ = 0;
+  std::optional<OrderedTriangle> triangle_;
+  std::array<glm::dvec3, 3> normals_;
+  int material_ = 0;
+};
+
 }  // namespace
 
 const char* name_of(ShadingMode mode) {
-  constexpr const char* kNames[] = {"flat", "gouraud"};
+  constexpr const char* kNames[] = {"flat", "gouraud", "phong"};
   return kNames[int(mode)];
 }
 
 std::unique_ptr<Surface> given_surface(const SnappedList& list) { return std::make_unique<GivenSurface>(list); }
 
 std::unique_ptr<Surface> lit_surface(Geometry& geometry, const SnappedList& list, ShadingMode mode) {
+  if (mode == ShadingMode::kPhong) return std::make_unique<PhongSurface>(geometry, list);
   return std::make_unique<LitSurface>(geometry, list, mode == ShadingMode::kFlat);
 }
 

@@ -12,8 +12,8 @@
 
 namespace halfspace::ref {
 
-enum class ShadingMode { kFlat, kGouraud };
-constexpr ShadingMode kShadingModes[] = {ShadingMode::kFlat, ShadingMode::kGouraud};
+enum class ShadingMode { kFlat, kGouraud, kPhong };
+constexpr ShadingMode kShadingModes[] = {ShadingMode::kFlat, ShadingMode::kGouraud, ShadingMode::kPhong};
 const char* name_of(ShadingMode);  // "flat", …
 
 class Surface {
@@ -30,7 +30,8 @@ class Surface {
 std::unique_ptr<Surface> given_surface(const SnappedList&);
 
 // The triangles of a geometry, lit when they are asked for. `list` are its positions, snapped. Both outlive it.
-//   flat: one lighting a triangle, of vertex 0; Gouraud: three, and exact planes over their rounded colours.
+//   flat: one lighting a triangle, of vertex 0; Gouraud: three, and exact planes over their rounded colours;
+//   Phong: one a pixel, of the normal by planes over the snapped triangle, with lights and viewer at infinity.
 std::unique_ptr<Surface> lit_surface(Geometry&, const SnappedList& list, ShadingMode);
 
 }  // namespace halfspace::ref

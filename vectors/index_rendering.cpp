@@ -13,17 +13,23 @@ using ref::Architecture;
 using ref::ShadingMode;
 
 const std::vector<HardwareLevel>& hardware_levels() {
-  static const std::vector<HardwareLevel> levels = {{"high", 65536, 30, {{1024, 768}, {800, 600}}},
-                                                    {"middle", 16384, 30, {{800, 600}, {640, 480}}},
-                                                    {"low", 4096, 24, {{320, 200}, {160, 100}}}};
+  static const std::vector<HardwareLevel> levels = {{"high", 65536, 30, 13, {{1024, 768}, {800, 600}}},
+                                                    {"middle", 16384, 30, 11, {{800, 600}, {640, 480}}},
+                                                    {"low", 4096, 24, 9, {{320, 200}, {160, 100}}}};
   return levels;
 }
 
 BufferBits buffer_bits(const HardwareLevel& level, ShadingMode mode, WidePixel wide) {
   const FormatTable t = format_table(find_configuration(level.config).config());
-  const int colour = 3 * t.colour.width;
-  const int shading = mode == ShadingMode::kFlat ? colour : 3 * 3 * t.colour_plane.width;
-  return {t.depth.width, colour, wide == WidePixel::kPlanes ? shading : colour, bits_for(level.triangles), 3 * t.depth_plane.width,
+  constexpr int kMaterialBits = 8;
+  const int colour = 3 * t.colour.width, normal = level.normal_bits + 1;
+  // Planes of normals with the fraction bits of those of colours.
+  const int gradient_fraction = t.colour_plane.width - t.colour.width;
+  const int shading = mode == ShadingMode::kFlat    ? colour
+                      : mode == ShadingMode::kPhong ? 3 * 3 * (normal + gradient_fraction) + kMaterialBits
+                                                    : 3 * 3 * t.colour_plane.width;
+  const int interpolated = mode == ShadingMode::kPhong ? 3 * normal + kMaterialBits : colour;
+  return {t.depth.width, colour, wide == WidePixel::kPlanes ? shading : interpolated, bits_for(level.triangles), 3 * t.depth_plane.width,
           shading};
 }
 

@@ -17,6 +17,7 @@ struct HardwareLevel {
   const char* config;
   int triangles;  // a frame at most: 2 M, 480 k, 96 k a second, to the next power of two
   int frames;     // a second
+  int normal_bits;  // fraction bits of a component of a normal, for Phong shading
   std::vector<std::pair<int, int>> sizes;
 };
 const std::vector<HardwareLevel>& hardware_levels();  // high first
@@ -24,7 +25,7 @@ const std::vector<HardwareLevel>& hardware_levels();  // high first
 // What a pixel of the wide buffer of deferred shading holds.
 enum class WidePixel {
   kPlanes,        // the parameters of its triangle, as TdbS has them: the paper's direct method
-  kInterpolated,  // what they come to at the pixel: a colour
+  kInterpolated,  // what they come to at the pixel: a colour; a normal and a material with Phong shading
 };
 
 // Bits of an entry.

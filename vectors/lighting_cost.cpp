@@ -39,30 +39,24 @@ LightingCost measure_lighting(const ref::Scene& scene, const std::string& config
 
   std::vector<double> positions, facing, visible;
   for (int run = 0; run < kRuns; ++run) {
-    const Stopwatch transform;
-    ref::Geometry all(scene, view);
-    positions.push_back(transform.ms());
-    const std::size_t triangles = all.positions().triangles.size();
-    const Stopwatch light_all;
-    for (std::size_t k = 0; k < triangles; ++k) all.colours(k);
-    facing.push_back(light_all.ms());
-
-    ref::Geometry deferred(scene, view);
-    const ref::Frame frame = ref::render(ref::snap(deferred.positions(), format));
-    const Stopwatch light_visible;
-    for (std::size_t k = 0; k < triangles; ++k) {
-      if (frame.visible[k]) deferred.colours(k);
+    for (const bool deferred : {false, true}) {
+      const Stopwatch transform;
+      ref::Geometry geometry(scene, view);
+      positions.push_back(transform.ms());
+      // In either case, so that lighting begins with the same caches.
+      const ref::Frame frame = ref::render(ref::snap(geometry.positions(), format));
+      const Stopwatch light;
+      for (std::size_t k = 0; k < frame.visible.size(); ++k) {
+        if (!deferred || frame.visible[k]) geometry.colours(k);
+      }
+      (deferred ? visible : facing).push_back(light.ms());
+      std::set<std::uint32_t> faces;
+      for (std::size_t k = 0; k < frame.visible.size(); ++k) {
+        if (!deferred || frame.visible[k]) faces.insert(geometry.positions().face[k]);
+      }
+      (deferred ? cost.triangles.c : cost.triangles.b) = faces.size();
+      (deferred ? cost.corners_visible : cost.corners_facing) = geometry.lit_corners();
     }
-    visible.push_back(light_visible.ms());
-    if (run != 0) continue;
-    std::set<std::uint32_t> faces(all.positions().face.begin(), all.positions().face.end()), seen;
-    for (std::size_t k = 0; k < triangles; ++k) {
-      if (frame.visible[k]) seen.insert(all.positions().face[k]);
-    }
-    cost.triangles.b = faces.size();
-    cost.triangles.c = seen.size();
-    cost.corners_facing = all.lit_corners();
-    cost.corners_visible = deferred.lit_corners();
   }
   cost.positions_ms = median(positions);
   cost.light_facing_ms = median(facing);
