@@ -59,6 +59,19 @@ constexpr RootTable root_table() {
   return table;
 }
 
+// The words of the table have room for v and s, and a line, rounded, stays below 1.
+constexpr bool root_table_fits() {
+  const RootTable table = root_table();
+  const int places = kRootValueFraction + kRootOffsetBits - kRootFraction;
+  for (int i = 0; i < kRootSegments; ++i) {
+    const std::uint64_t line = (std::uint64_t(table.value[i]) << kRootOffsetBits) + (std::uint64_t(1) << (places - 1));
+    if (table.value[i] >> kRootValueFraction != 0 || table.slope[i] >> kRootSlopeBits != 0) return false;
+    if (line >> (kRootValueFraction + kRootOffsetBits) != 0) return false;
+  }
+  return true;
+}
+static_assert(root_table_fits(), "an entry of the table of the reciprocal root is wider than its word");
+
 template <class F>
 struct ReciprocalRoot {
   typename F::RootShift shift;  // k

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lighting kernels against the exact formula on the same integers, within the bound of docs/numerics.md, and against the
-// reference on the built-in scenes.
+// The lighting kernels against the exact formula on the same integers, within the bound of docs/numerics.md, and
+// against the reference on the built-in scenes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -108,15 +108,15 @@ TEST_P(Lighting, IsWithinTheBoundOfTheExactFormula) {
     for (const LightingFrame& frame : vectors::lighting_frames(config, seed)) compare(*engine, frame, config, frames);
   }
   EXPECT_GT(frames.compared, 10000u);
-  std::printf("%-10s %llu channels, at most %.4f of their bound\n", config.name, static_cast<unsigned long long>(frames.compared),
-              frames.share);
+  std::printf("%-10s %llu channels, at most %.4f of their bound\n", config.name,
+              static_cast<unsigned long long>(frames.compared), frames.share);
   vectors::BoundsReport report = vectors::proved_bounds(config);
   vectors::measure_lighting(config, 11, 120, report);
   for (const auto quantity : {vectors::kLightCosine, vectors::kLightPower, vectors::kLightSum}) {
     const vectors::BoundRow& row = report.rows[quantity];
     if (!row.present()) continue;
-    std::printf("%-10s %s: proved %.4f %s, seen %.4f of %llu\n", config.name, row.quantity.c_str(), row.proved, row.unit.c_str(),
-                row.seen, static_cast<unsigned long long>(row.compared));
+    std::printf("%-10s %s: proved %.4f %s, seen %.4f of %llu\n", config.name, row.quantity.c_str(), row.proved,
+                row.unit.c_str(), row.seen, static_cast<unsigned long long>(row.compared));
     EXPECT_EQ(row.exceeded, 0u) << row.quantity;
     EXPECT_GT(row.seen, row.proved / 2) << row.quantity << ": the search is blind, or the bound is loose";
   }
@@ -167,7 +167,8 @@ TEST(LightingFormats, FilesAndHeadersAgree) {
   for (const Config& config : {LitLow::config(), LitMiddle::config(), LitHigh::config(), LitMatte::config()}) {
     const vectors::Configuration file =
         vectors::find_configuration(std::string(HALFSPACE_SOURCE "/tests/configs/") + config.name + ".toml");
-    EXPECT_EQ(vectors::configuration_toml(file), vectors::configuration_toml(vectors::Configuration(config.name, config)));
+    EXPECT_EQ(vectors::configuration_toml(file),
+              vectors::configuration_toml(vectors::Configuration(config.name, config)));
     EXPECT_EQ(vectors::configuration_toml(file), vectors::configuration_toml(vectors::parse_configuration(
                                                      vectors::configuration_toml(file), "x.toml")));
   }
@@ -196,8 +197,8 @@ INSTANTIATE_TEST_SUITE_P(Of, Lighting,
                          testing::Values(LitLow::config(), LitMiddle::config(), LitHigh::config(), LitMatte::config()),
                          [](const auto& info) { return std::string(info.param.name); });
 
-// Vertex colours of every built-in scene, as it is and polished, under its light and under four, against the reference in
-// doubles: 1 LSB of 8 at most.
+// Vertex colours of every built-in scene, as it is and polished, under its light and under four, against the reference
+// in doubles: 1 LSB of 8 at most.
 void expect_scenes(bool polished) {
   const Config config = LitHigh::config();
   const auto engine = vectors::make_lighting_engine(config);
@@ -211,7 +212,8 @@ void expect_scenes(bool polished) {
         scene.lights.back().colour = {0.15, 0.2, 0.17};
       }
     }
-    const ref::DistantScene distant = ref::distant_scene(scene, ref::viewpoint(scene, 16.0 / 9), vectors::most_squarings(config));
+    const ref::DistantScene distant =
+        ref::distant_scene(scene, ref::viewpoint(scene, 16.0 / 9), vectors::most_squarings(config));
     const auto colours = engine->colours(vectors::quantized_lighting(distant, config));
     ASSERT_EQ(colours.size(), distant.triangles.size());
     double worst = 0;

@@ -92,14 +92,17 @@ std::string rounded(const Config& config, const char* kind, const PlaneNumbers& 
                      symmetric(bound.sum), full, symmetric(bound.rounded), full);
 }
 
-// h: 1/|n| of the normal scaled to 1 <= |n| < 2; y: what reciprocal_sqrt gives for it; d: n·L, so that the cosine is d·h.
+// h: 1/|n| of the normal scaled to 1 <= |n| < 2; y: what reciprocal_sqrt gives for it; d: n·L, so that the cosine is
+// d·h.
 std::string light_cosine(const Config& config) {
   const int u = cosine_fraction(config);
   return header(config, "A cosine: a dot product is rounded, scaled by the reciprocal of the length, and rounded.") +
-         fmt::format("P = fixed<-{u},nu>(d);\nC = fixed<-{u},nu>(P*y);\nrho = (y - h) / h;\n\n"
-                     "{{ h in [1b-1, 1] /\\ y in [0, 1] /\\ d*h in [0, 1] /\\ rho {root}\n  -> C - d*h {bound} }}\n\n"
-                     "C - d*h -> (C - P*y) + y*(P - d) + d*h*rho {{h <> 0}};\n",
-                     fmt::arg("u", u), fmt::arg("root", symmetric(kRootBound)), fmt::arg("bound", symmetric(cosine_bound(config))));
+         fmt::format(
+             "P = fixed<-{u},nu>(d);\nC = fixed<-{u},nu>(P*y);\nrho = (y - h) / h;\n\n"
+             "{{ h in [1b-1, 1] /\\ y in [0, 1] /\\ d*h in [0, 1] /\\ rho {root}\n  -> C - d*h {bound} }}\n\n"
+             "C - d*h -> (C - P*y) + y*(P - d) + d*h*rho {{h <> 0}};\n",
+             fmt::arg("u", u), fmt::arg("root", symmetric(kRootBound)),
+             fmt::arg("bound", symmetric(cosine_bound(config))));
 }
 
 // Xj: an exact cosine squared j times; Cj: the one at hand. What is proved of a step is the premise of the next.
@@ -108,7 +111,8 @@ std::string light_power(const Config& config) {
   for (int j = 0; j < exact_log2(config.gloss); ++j) {
     const char* const next = j == 0 ? "" : "\n  /\\ ";
     steps += fmt::format("S{0} = fixed<-{1},nu>(C{0}*C{0});\n", j, cosine_fraction(config));
-    premises += fmt::format("{0}X{1} in [0, 1] /\\ C{1} in [0, 1] /\\ C{1} - X{1} {2}", next, j, symmetric(power_bound(config, j)));
+    premises += fmt::format("{0}X{1} in [0, 1] /\\ C{1} in [0, 1] /\\ C{1} - X{1} {2}", next, j,
+                            symmetric(power_bound(config, j)));
     goals += fmt::format("{0}S{1} in [0, 1] /\\ S{1} - X{1}*X{1} {2}", next, j, symmetric(power_bound(config, j + 1)));
     hints += fmt::format("S{0} - X{0}*X{0} -> (S{0} - C{0}*C{0}) + (C{0} - X{0})*(C{0} + X{0});\n", j);
   }
@@ -120,16 +124,19 @@ std::string light_power(const Config& config) {
 std::string light_sum(const Config& config) {
   const int full = (1 << config.colour_bits) - 1;
   const bool gloss = has_gloss(config);
-  const std::string power = gloss ? fmt::format(" /\\ ks in [0, {}] /\\ S - Y {}", full, symmetric(power_bound(config, exact_log2(config.gloss)))) : "";
+  const std::string power = gloss ? fmt::format(" /\\ ks in [0, {}] /\\ S - Y {}", full,
+                                                symmetric(power_bound(config, exact_log2(config.gloss))))
+                                  : "";
   const char* const highlight = gloss ? " + ks*S" : "";
   const char* const exact = gloss ? " + ks*Y" : "";
   return header(config, "The sum of a light that is white at full scale: products and sum are exact.") +
-         fmt::format("got = base + kd*C{highlight};\nexact = base + kd*X{exact};\n\n"
-                     "{{ base in [0, {full}] /\\ kd in [0, {full}] /\\ C - X {cosine}{power}\n  -> got - exact {bound} }}\n\n"
-                     "got - exact -> kd*(C - X){last};\n",
-                     fmt::arg("highlight", highlight), fmt::arg("exact", exact), fmt::arg("full", full), fmt::arg("cosine", symmetric(cosine_bound(config))),
-                     fmt::arg("power", power), fmt::arg("bound", symmetric(light_bound(config))),
-                     fmt::arg("last", gloss ? " + ks*(S - Y)" : ""));
+         fmt::format(
+             "got = base + kd*C{highlight};\nexact = base + kd*X{exact};\n\n"
+             "{{ base in [0, {full}] /\\ kd in [0, {full}] /\\ C - X {cosine}{power}\n  -> got - exact {bound} }}\n\n"
+             "got - exact -> kd*(C - X){last};\n",
+             fmt::arg("highlight", highlight), fmt::arg("exact", exact), fmt::arg("full", full),
+             fmt::arg("cosine", symmetric(cosine_bound(config))), fmt::arg("power", power),
+             fmt::arg("bound", symmetric(light_bound(config))), fmt::arg("last", gloss ? " + ks*(S - Y)" : ""));
 }
 
 }  // namespace

@@ -54,7 +54,9 @@ class Frames {
     LightingFrame& f = frames_.emplace_back();
     f.note = note;
     const glm::dvec3 ways[] = {{0, 0, 1}, {0, -1, 0}, {0, 0, -1}, {0.6, 0, 0.8}};
-    for (int i = 0; i < config_.lights; ++i) f.lights.push_back(light(ways[i], i == 2 ? glm::dvec3(0) : ways[(i + 3) % 4]));
+    for (int i = 0; i < config_.lights; ++i) {
+      f.lights.push_back(light(ways[i], i == 2 ? glm::dvec3(0) : ways[(i + 3) % 4]));
+    }
     // In turn every gloss, and one beyond what is built. Material 5 is below full scale however it is lit, 6 has a base
     // alone, and 7 is all at its largest.
     for (int m = 0; m < config_.materials; ++m) {
@@ -83,7 +85,8 @@ class Frames {
     LightingFrame& alone = frame("corner: one normal, of length 0");
     add(alone, 1, {0, 0, 0}, {0, 0, 0}, {0, 0, 0});
 
-    LightingFrame& f = frame("corner: normals of length 0, shortest and longest, along axes and diagonals, all materials");
+    LightingFrame& f =
+        frame("corner: normals of length 0, shortest and longest, along axes and diagonals, all materials");
     const int most = limit_ - 1, least = -limit_, half = limit_ / 2;
     std::vector<Normal> normals;
     for (const int x : {0, 1, -1, 2, half, most, least}) {
@@ -105,13 +108,18 @@ class Frames {
     LightingFrame& lengths = frame("corner: one direction in every length, and its neighbours");
     for (int bit = 0; bit < table_.normal.width - 1; ++bit) {
       const int s = 1 << bit;
-      for (int n = 0; n < 6; ++n) add(lengths, n + bit, {s - 1, s / 2, s}, {s, -s / 3, s - n % 2}, {n - 3, s - 1, s - 1});
+      for (int n = 0; n < 6; ++n) {
+        add(lengths, n + bit, {s - 1, s / 2, s}, {s, -s / 3, s - n % 2}, {n - 3, s - 1, s - 1});
+      }
     }
 
     LightingFrame& loud = frame("corner: directions and coefficients at their largest");
     const int far = (1 << (table_.direction.width - 1)) - 1;
     for (RawLight& l : loud.lights) l = {{far, far, far}, {far, -far - 1, far}};
-    for (int n = 0; n < 60; ++n) add(loud, n % 4 == 0 ? 1 : n % 4 == 1 ? 5 : 7, {most - n, most, most}, {most, least, most - n}, {n - 30, 2 * n, 1});
+    for (int n = 0; n < 60; ++n) {
+      const int materials[] = {1, 5, 7, 7};
+      add(loud, materials[n % 4], {most - n, most, most}, {most, least, most - n}, {n - 30, 2 * n, 1});
+    }
   }
 
   void random(int n) {
@@ -124,7 +132,8 @@ class Frames {
       const int bits = table_.coefficient.width - below(5);
       auto any = [&] { return below(1 << bits); };
       for (int i = 0; i < config_.lights; ++i) {
-        material.reflections.push_back({{any() / 8, any() / 8, any() / 8}, {any(), any(), any()}, {any(), any(), any()}});
+        material.reflections.push_back(
+            {{any() / 8, any() / 8, any() / 8}, {any(), any(), any()}, {any(), any(), any()}});
       }
     }
     for (int t = 0; t < 300; ++t) {
@@ -133,7 +142,8 @@ class Frames {
         // Also near the direction of a highlight, and of any length.
         const RawLight& near = f.lights[std::size_t(below(config_.lights))];
         const glm::dvec3 way = t % 3 == 0 ? random_unit()
-                                          : glm::dvec3(near.half[0], near.half[1], near.half[2]) / std::ldexp(1.0, table_.direction.width - 1) +
+                                          : glm::dvec3(near.half[0], near.half[1], near.half[2]) /
+                                                    std::ldexp(1.0, table_.direction.width - 1) +
                                                 0.1 * random_unit();
         const glm::dvec3 scaled = way * std::ldexp(1.0, -below(t % 2 ? 2 : table_.normal.width));
         normal = quantized(glm::clamp(scaled, -1.0, 1.0), table_.normal);
@@ -155,7 +165,8 @@ int most_squarings(const Config& config) { return has_gloss(config) ? exact_log2
 
 LightingFrame quantized_lighting(const ref::DistantScene& scene, const Config& config) {
   auto refuse = [&](const char* what, std::size_t has, int most, const char* field) {
-    throw ref::Error(fmt::format("the scene has {} {}, and configuration {} is built for {}: raise {}", has, what, config.name, most, field));
+    throw ref::Error(fmt::format("the scene has {} {}, and configuration {} is built for {}: raise {}", has, what,
+                                 config.name, most, field));
   };
   if (scene.lights.size() > std::size_t(config.lights)) refuse("lights", scene.lights.size(), config.lights, "lights");
   if (scene.materials.size() > std::size_t(config.materials)) {
@@ -166,7 +177,8 @@ LightingFrame quantized_lighting(const ref::DistantScene& scene, const Config& c
   LightingFrame frame;
   frame.lights.resize(std::size_t(config.lights));
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    frame.lights[i] = {quantized(scene.lights[i].to_light, table.direction), quantized(scene.lights[i].half, table.direction)};
+    frame.lights[i] = {quantized(scene.lights[i].to_light, table.direction),
+                       quantized(scene.lights[i].half, table.direction)};
   }
   for (const ref::DistantMaterial& in : scene.materials) {
     RawMaterial& material = frame.materials.emplace_back();
@@ -188,6 +200,8 @@ LightingFrame quantized_lighting(const ref::DistantScene& scene, const Config& c
   return frame;
 }
 
-std::vector<LightingFrame> lighting_frames(const Config& config, std::uint64_t seed) { return Frames(config, seed).take(); }
+std::vector<LightingFrame> lighting_frames(const Config& config, std::uint64_t seed) {
+  return Frames(config, seed).take();
+}
 
 }  // namespace halfspace::vectors

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frames of normals for the lighting kernels: as integers, from a scene or made to be awkward, and the kernels that light them.
+// Frames of normals for the lighting kernels: as integers, from a scene or made to be awkward, and the kernels that
+// light them.
 #ifndef HALFSPACE_VECTORS_LIGHTING_HPP_
 #define HALFSPACE_VECTORS_LIGHTING_HPP_
 

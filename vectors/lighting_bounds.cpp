@@ -10,7 +10,8 @@ Dyadic cosine_bound(const Config& config) { return kRootBound + Dyadic{1, -cosin
 
 Dyadic power_bound(const Config& config, int squarings) {
   Dyadic bound = cosine_bound(config);
-  for (int j = 0; j < squarings; ++j) bound = Dyadic{bound.mantissa, bound.exponent + 1} + Dyadic{1, -cosine_fraction(config) - 1};
+  for (int j = 0; j < squarings; ++j)
+    bound = Dyadic{bound.mantissa, bound.exponent + 1} + Dyadic{1, -cosine_fraction(config) - 1};
   return bound;
 }
 
@@ -20,7 +21,8 @@ Dyadic light_bound(const Config& config) {
   return {((1 << config.colour_bits) - 1) * bound.mantissa, bound.exponent};
 }
 
-ExactLight exact_light(const LightingFrame& frame, int material, const std::array<int, 3>& normal, int channel, const Config& config) {
+ExactLight exact_light(const LightingFrame& frame, int material, const std::array<int, 3>& normal, int channel,
+                       const Config& config) {
   using Real = long double;
   const RawMaterial& surface = frame.materials[std::size_t(material)];
   const Real unit = std::ldexp(Real(1), cosine_fraction(config) + 1), lsb = std::ldexp(Real(1), -kCoefficientFraction);

@@ -24,10 +24,11 @@ Dyadic light_bound(const Config& config);
 struct ExactLight {
   long double value, bound;
 };
-ExactLight exact_light(const LightingFrame& frame, int material, const std::array<int, 3>& normal, int channel, const Config& config);
+ExactLight exact_light(const LightingFrame& frame, int material, const std::array<int, 3>& normal, int channel,
+                       const Config& config);
 
-// The kernels of a configuration with lighting, into its rows of the report: random lights, for each a search of normals for
-// the largest errors.
+// The kernels of a configuration with lighting, into its rows of the report: random lights, for each a search of
+// normals for the largest errors.
 void measure_lighting(const Config& config, std::uint64_t seed, int lights, BoundsReport& report);
 
 }  // namespace halfspace::vectors

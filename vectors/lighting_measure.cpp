@@ -12,7 +12,8 @@ namespace {
 
 using Triple = std::array<int, 3>;
 
-// One random light on a material of which red is the cosine, in LSB, green its largest power, and blue both at full scale.
+// One random light on a material of which red is the cosine, in LSB, green its largest power, and blue both at full
+// scale.
 class LightSearch {
  public:
   LightSearch(const Config& config, std::mt19937_64& random)
