@@ -2,14 +2,18 @@
 // halfspace render
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <set>
 
 #include "cli/commands.hpp"
 #include "cli/picture.hpp"
 #include "cli/scene_input.hpp"
+#include "ref/architecture.hpp"
 #include "ref/error.hpp"
+#include "ref/triangle_list.hpp"
 #include "vectors/dump.hpp"
 #include "vectors/engine.hpp"
 
@@ -20,6 +24,7 @@ struct Options {
   SceneInput input;
   std::string engine = "hls";
   int lanes = 16;
+  std::string architecture, shading;
   std::string output, dump, json;
 };
 
@@ -35,6 +40,42 @@ ref::Frame rounded(const ref::IdealFrame& ideal, int depth_bits) {
   return frame;
 }
 
+template <class Kind, std::size_t N>
+Kind kind_of(const Kind (&kinds)[N], const std::string& name) {
+  return *std::find_if(std::begin(kinds), std::end(kinds), [&](Kind kind) { return ref::name_of(kind) == name; });
+}
+
+Json rates_json(const ref::Rates& r) {
+  return {{"triangles", r.triangles},          {"reduced_triangles", r.reduced_triangles}, {"fragments", r.fragments},
+          {"reduced_fragments", r.reduced_fragments}, {"visible_pixels", r.visible_pixels}, {"lightings", r.lightings},
+          {"largest_index", r.largest_index}};
+}
+
+// The reference by one of the four architectures; the rates go to `rates`.
+ref::Frame draw_by(const Options& options, const LoadedScene& loaded, Json& rates) {
+  const ref::SnappedList& list = loaded.list;
+  const ref::Architecture architecture = kind_of(ref::kArchitectures, options.architecture.empty() ? "delta" : options.architecture);
+  std::optional<ref::Scene> scene;
+  std::optional<ref::Geometry> geometry;
+  std::unique_ptr<ref::Surface> surface;
+  if (ref::is_tri_file(options.input.scene)) {
+    if (options.shading == "phong") throw ref::Error(options.input.scene + ": its triangles have colours and no normals: leave out --shading phong");
+    surface = ref::given_surface(list);
+  } else {
+    scene = ref::load_scene(options.input.scene, options.input.time);
+    geometry.emplace(*scene, ref::View{list.width, list.height, list.format.range_bits, list.format.subpixel_bits});
+    const std::string given = list.format.flat ? "flat" : "gouraud";
+    surface = ref::lit_surface(*geometry, list, kind_of(ref::kShadingModes, options.shading.empty() ? given : options.shading));
+  }
+  ref::Drawing drawing = ref::draw(list, *surface, architecture);
+  rates = rates_json(drawing.rates);
+  fmt::print("{}: {} fragments, {} passed the Z-test; {} lightings\n", name_of(architecture), drawing.rates.fragments,
+             drawing.rates.reduced_fragments, drawing.rates.lightings);
+  ref::Frame frame{list.width, list.height, std::move(drawing.triangle), std::move(drawing.depth), std::move(drawing.colour), {}, {}, {}};
+  frame.visible = std::move(drawing.visible);
+  return frame;
+}
+
 ref::Frame render_with(const std::string& engine, const LoadedScene& loaded, int lanes) {
   const ref::SnappedList& scene = loaded.list;
   if (engine == "ref") return ref::render(scene);
@@ -43,9 +84,22 @@ ref::Frame render_with(const std::string& engine, const LoadedScene& loaded, int
 }
 
 void render(const Options& options) {
-  const LoadedScene loaded = load_snapped(options.input);
+  LoadedScene loaded = load_snapped(options.input);
   const ref::SnappedList& scene = loaded.list;
-  const ref::Frame frame = render_with(options.engine, loaded, options.lanes);
+  Json rates;
+  const bool chosen = !options.architecture.empty() || !options.shading.empty();
+  if (chosen && options.engine == "hls") {
+    if (options.architecture != "gamma" && options.architecture != "delta") {
+      throw ref::Error("--architecture and --shading: the kernels are of type gamma or delta, with the shading of their configuration: "
+                       "take --engine ref for the rest");
+    }
+    if (!options.shading.empty()) throw ref::Error("--shading: the kernels have that of their configuration: take --engine ref");
+    Config numbers = loaded.configuration.config();
+    numbers.architecture = options.architecture == "gamma" ? Architecture::kGamma : Architecture::kDelta;
+    loaded.configuration = vectors::Configuration(loaded.configuration.name(), numbers);
+  }
+  const ref::Frame frame = chosen && options.engine == "ref" ? draw_by(options, loaded, rates)
+                                                              : render_with(options.engine, loaded, options.lanes);
   if (!options.output.empty()) write_picture(options.output, colour_picture(frame));
   if (!options.dump.empty()) vectors::write_dump(options.dump, scene, frame);
 
@@ -66,7 +120,8 @@ void render(const Options& options) {
                             {"triangles", scene.triangles.size()},
                             {"reduced_triangles", reduced},
                             {"visible_triangles", in_view},
-                            {"covered_pixels", covered}});
+                            {"covered_pixels", covered},
+                            {"rates", rates}});
 }
 
 }  // namespace
@@ -80,6 +135,11 @@ void add_render(CLI::App& app, int&) {
       ->capture_default_str();
   command->add_option("--lanes", options->lanes, "pixels a stamp, for hls: 1, 2, 4, 8, 16 (the picture is the same)")
       ->capture_default_str();
+  command->add_option("--architecture", options->architecture,
+                      "alpha, traditional; beta, deferred shading; gamma, delta, index rendering without and with a Z-buffer")
+      ->check(CLI::IsMember({"alpha", "beta", "gamma", "delta"}));
+  command->add_option("--shading", options->shading, "for --engine ref: flat, gouraud or phong")
+      ->check(CLI::IsMember({"flat", "gouraud", "phong"}));
   command->add_option("-o,--output", options->output, "picture to write; the ending chooses the format");
   command->add_option("--dump", options->dump,
                       "folder for index.u32, depth.u32, colour.rgba8 (little endian, row 0 on top) and triangles.tri");

@@ -109,6 +109,7 @@ class Renderer {
         store(k, index, nearer, at);
       }
     });
+    out_.visible.push_back(visible);
     if (visible) {
       ++out_.rates.reduced_triangles;
       if (deferred_lighting_) out_.rates.lightings += std::uint64_t(surface_.light(k));

@@ -49,6 +49,7 @@ struct Drawing {
   std::vector<std::uint32_t> triangle;              // that each pixel shows, from 1 on; 0: background
   std::vector<std::uint32_t> depth;                 // of it
   std::vector<std::array<std::uint8_t, 4>> colour;  // r, g, b, 255
+  std::vector<bool> visible;                        // triangle k at [k - 1]: has a fragment passed the test?
   Rates rates;
   BufferUses buffers;
 };

@@ -67,6 +67,7 @@ TEST_P(Architectures, DrawOnePicture) {
     const ref::Frame frame = ref::render(lit);
     EXPECT_EQ(delta.triangle, frame.index);
     EXPECT_EQ(delta.depth, frame.depth);
+    EXPECT_EQ(delta.visible, frame.visible);
     if (mode != ShadingMode::kPhong) {
       EXPECT_EQ(delta.colour, frame.colour);
     }
