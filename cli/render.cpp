@@ -16,6 +16,7 @@
 #include "ref/triangle_list.hpp"
 #include "vectors/dump.hpp"
 #include "vectors/engine.hpp"
+#include "vectors/rates.hpp"
 
 namespace halfspace::cli {
 namespace {
@@ -46,9 +47,11 @@ Kind kind_of(const Kind (&kinds)[N], const std::string& name) {
 }
 
 Json rates_json(const ref::Rates& r) {
-  return {{"triangles", r.triangles},          {"reduced_triangles", r.reduced_triangles}, {"fragments", r.fragments},
-          {"reduced_fragments", r.reduced_fragments}, {"visible_pixels", r.visible_pixels}, {"lightings", r.lightings},
-          {"largest_index", r.largest_index}};
+  return {{"triangles", r.triangles},
+          {"reduced_triangles", r.reduced_triangles},
+          {"fragments", r.fragments},
+          {"reduced_fragments", r.reduced_fragments},
+          {"visible_pixels", r.visible_pixels}};
 }
 
 // The reference by one of the four architectures; the rates go to `rates`.
@@ -69,6 +72,7 @@ ref::Frame draw_by(const Options& options, const LoadedScene& loaded, Json& rate
   }
   ref::Drawing drawing = ref::draw(list, *surface, architecture);
   rates = rates_json(drawing.rates);
+  rates["lightings"] = drawing.rates.lightings;
   fmt::print("{}: {} fragments, {} passed the Z-test; {} lightings\n", name_of(architecture), drawing.rates.fragments,
              drawing.rates.reduced_fragments, drawing.rates.lightings);
   ref::Frame frame{list.width, list.height, std::move(drawing.triangle), std::move(drawing.depth), std::move(drawing.colour), {}, {}, {}};
@@ -98,6 +102,9 @@ void render(const Options& options) {
     numbers.architecture = options.architecture == "gamma" ? Architecture::kGamma : Architecture::kDelta;
     loaded.configuration = vectors::Configuration(loaded.configuration.name(), numbers);
   }
+  if (options.engine == "hls" && !options.json.empty()) {
+    rates = rates_json(vectors::count_rates(*vectors::make_engine(loaded.configuration, options.lanes), scene));
+  }
   const ref::Frame frame = chosen && options.engine == "ref" ? draw_by(options, loaded, rates)
                                                               : render_with(options.engine, loaded, options.lanes);
   if (!options.output.empty()) write_picture(options.output, colour_picture(frame));
@@ -121,7 +128,7 @@ void render(const Options& options) {
                             {"reduced_triangles", reduced},
                             {"visible_triangles", in_view},
                             {"covered_pixels", covered},
-                            {"rates", rates}});
+                            {"rates", rates}});  // with --architecture, or of the kernels
 }
 
 }  // namespace

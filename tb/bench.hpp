@@ -15,6 +15,7 @@
 #include "channel.hpp"
 #include "model.hpp"
 #include "options.hpp"
+#include "rates.hpp"
 
 namespace halfspace::tb {
 
@@ -38,6 +39,7 @@ struct Result {
   std::uint64_t simulated = 0;
   double seconds = 0, processor_seconds = 0;
   Bound bound;
+  Rates rates;  // of the pipeline, the last frame's
 
   std::size_t words() const;
   std::size_t mismatches() const;

@@ -71,7 +71,7 @@ int run_cosim(Model* model, Vectors* vectors, const Options& options) {
   LastFrame last;
   const Result result = run_pipeline(model, *vectors, options, &last);
   if (!options.dump.empty()) write_file(options.dump, rgba_picture(*vectors, last.pixel));
-  if (!options.dump_index.empty()) write_file(options.dump_index, index_picture(*vectors, last.scan));
+  if (!options.dump_index.empty()) write_file(options.dump_index, index_picture(*vectors, last.counted.at("scan")));
   report(*vectors, options, {result});
   print_result(*vectors, result);
   return result.passed() ? 0 : 1;

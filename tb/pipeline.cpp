@@ -63,7 +63,8 @@ Result run_pipeline(Model* model, const Vectors& vectors, const Options& options
   const std::uint8_t* const busy = model->need("busy_o", 1).bit();
   Sender* triangles = nullptr;
   std::vector<std::pair<const Stream*, Receiver*>> receivers;
-  Receiver *pixel = nullptr, *scan = nullptr;
+  Receiver* pixel = nullptr;
+  bool scans = false;
   for (const Stream& stream : vectors.streams) {
     if (stream.name == "triangle") {
       triangles = &bench.add_sender(stream);
@@ -71,9 +72,9 @@ Result run_pipeline(Model* model, const Vectors& vectors, const Options& options
     }
     receivers.emplace_back(&stream, &bench.add_receiver(stream));
     if (stream.name == "pixel") pixel = receivers.back().second;
-    if (stream.name == "scan") scan = receivers.back().second;
+    scans = scans || stream.name == "scan";
   }
-  if (triangles == nullptr || pixel == nullptr || scan == nullptr) {
+  if (triangles == nullptr || pixel == nullptr || !scans) {
     throw Error(vectors.directory +
                 "/manifest.json: lacks one of the streams triangle, scan and pixel; make the set again");
   }
@@ -94,9 +95,12 @@ Result run_pipeline(Model* model, const Vectors& vectors, const Options& options
     }
     if (end == turns.size()) {
       last->pixel = Words(vectors.find("pixel")->bits);
-      last->scan = Words(vectors.find("scan")->bits);
       pixel->record_last(&last->pixel);
-      scan->record_last(&last->scan);
+      for (const auto& [stream, receiver] : receivers) {
+        if (std::find(std::begin(kRateStreams), std::end(kRateStreams), stream->name) == std::end(kRateStreams)) continue;
+        last->counted[stream->name] = Words(stream->bits);
+        receiver->record_last(&last->counted[stream->name]);
+      }
     }
     const auto done = [&] { return bench.all_done() && *busy == 0; };
     if (first == 0) ran = bench.run([&] { return triangles->words() > 0; }, std::max(options.hang, kResetPatience));
@@ -111,6 +115,7 @@ Result run_pipeline(Model* model, const Vectors& vectors, const Options& options
   stopwatch.stop(&result);
   const int setup_interval = options.setup_interval ? options.setup_interval : model->constant("SetupInterval");
   result.bound = bound_of(vectors, setup_interval);
+  result.rates = count_rates(vectors, last->counted);
   const std::vector<std::uint64_t>& ends = pixel->end_cycles();
   if (options.frames > 1 && ends.size() == turns.size()) {
     result.cycles = ends.back() - ends[ends.size() - 2];

@@ -3,13 +3,17 @@
 #ifndef HALFSPACE_TB_PIPELINE_HPP_
 #define HALFSPACE_TB_PIPELINE_HPP_
 
+#include <map>
+#include <string>
+
 #include "bench.hpp"
 
 namespace halfspace::tb {
 
 // What the RTL sent for the last frame, to make pictures from.
 struct LastFrame {
-  Words pixel, scan;
+  Words pixel;
+  std::map<std::string, Words> counted;  // by stream, those of count_rates; scan among them
 };
 
 // Frames of equal registers follow each other at once; before others the pipeline runs empty (busy_o).

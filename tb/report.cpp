@@ -93,6 +93,11 @@ std::string json_report(const Vectors& vectors, const Options& options, const st
                       {"setup", result.bound.setup},
                       {"covered_stamps", result.bound.stamps},
                       {"frame_stamps", result.bound.pixels}};
+      run["rates"] = {{"triangles", result.rates.triangles},
+                      {"reduced_triangles", result.rates.reduced_triangles},
+                      {"fragments", result.rates.fragments},
+                      {"reduced_fragments", result.rates.reduced_fragments},
+                      {"visible_pixels", result.rates.visible_pixels}};
     }
     runs.push_back(run);
   }

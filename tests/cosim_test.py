@@ -17,6 +17,19 @@ def run(command):
     return result.returncode, result.stdout + (result.stderr if result.returncode else "")
 
 
+def rates(args, engine, options):
+    """Of the scene by the reference or by the kernels."""
+    report = pathlib.Path(args.folder) / f"{engine}.json"
+    architecture = ["--architecture", "delta"] if engine == "ref" else ["--lanes", args.lanes]
+    code, text = run([args.halfspace, "render", args.scene, "--config", args.config, "--engine", engine, *architecture,
+                      *options, "--json", str(report)])
+    if code:
+        raise SystemExit(text)
+    found = json.loads(report.read_text())["rates"]
+    found.pop("lightings", None)
+    return found
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     for name in ("halfspace", "program", "folder", "scene", "config", "lanes"):
@@ -52,6 +65,14 @@ def main():
                 print(f"seed {seed}, {one['unit']}: streams {bad or 'none'} without words or with mismatches")
                 return 1
             words += one["words"]
+            # Data rates counted at the RTL's streams, in the kernels and by the reference; of a scene alone.
+            if seed == 1 and one["unit"] == "pipeline" and "--no-corners" in own:
+                options = [option for option in own[at + 1:] if option != "--no-corners"]
+                for engine in ("ref", "hls"):
+                    counted = rates(args, engine, options)
+                    if counted != one["rates"] or not counted["visible_pixels"]:
+                        print(f"the rates differ: {engine} {counted}, RTL {one['rates']}")
+                        return 1
             bound = one.get("bound", {}).get("cycles", 0)
             if args.bound and not 0 < one["cycles"] <= args.bound * bound:
                 print(f"{one['cycles']} cycles a frame, more than {args.bound} times the bound of {bound}")

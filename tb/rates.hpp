@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// The data rates of a frame, counted in the words that the RTL sent.
+#ifndef HALFSPACE_TB_RATES_HPP_
+#define HALFSPACE_TB_RATES_HPP_
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "vectors.hpp"
+
+namespace halfspace::tb {
+
+struct Rates {
+  std::uint64_t triangles = 0, reduced_triangles = 0;  // done; with a fragment that passed the Z-test
+  std::uint64_t fragments = 0, reduced_fragments = 0;  // covered; that passed
+  std::uint64_t visible_pixels = 0;                    // that show a triangle
+};
+
+// The streams that tell them: visible, stamp, update, scan.
+extern const char* const kRateStreams[4];
+// Of the words received, by stream; one that is not there counts nothing.
+Rates count_rates(const Vectors& vectors, const std::map<std::string, Words>& received);
+
+}  // namespace halfspace::tb
+
+#endif  // HALFSPACE_TB_RATES_HPP_
