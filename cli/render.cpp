@@ -25,7 +25,7 @@ struct Options {
   SceneInput input;
   std::string engine = "hls";
   int lanes = 16;
-  std::string architecture, shading;
+  std::string architecture, shading, texture, mapping = "perspective";
   std::string output, dump, json;
 };
 
@@ -65,16 +65,22 @@ ref::Frame draw_by(const Options& options, const LoadedScene& loaded, Json& rate
     if (options.shading == "phong") throw ref::Error(options.input.scene + ": its triangles have colours and no normals: leave out --shading phong");
     surface = ref::given_surface(list);
   } else {
-    scene = ref::load_scene(options.input.scene, options.input.time);
+    scene = ref::load_scene(options.input.scene, options.input.time, !options.texture.empty());
     geometry.emplace(*scene, ref::View{list.width, list.height, list.format.range_bits, list.format.subpixel_bits});
     const std::string given = list.format.flat ? "flat" : "gouraud";
     surface = ref::lit_surface(*geometry, list, kind_of(ref::kShadingModes, options.shading.empty() ? given : options.shading));
+    if (!options.texture.empty()) {
+      const ref::TextureMode mode{options.texture == "nearest" ? ref::TextureFilter::kNearest : ref::TextureFilter::kBilinear,
+                                  options.mapping == "affine" ? ref::TextureMapping::kAffine : ref::TextureMapping::kPerspective};
+      surface = ref::textured_surface(std::move(surface), *geometry, list, mode);
+    }
   }
   ref::Drawing drawing = ref::draw(list, *surface, architecture);
   rates = rates_json(drawing.rates);
   rates["lightings"] = drawing.rates.lightings;
-  fmt::print("{}: {} fragments, {} passed the Z-test; {} lightings\n", name_of(architecture), drawing.rates.fragments,
-             drawing.rates.reduced_fragments, drawing.rates.lightings);
+  rates["texture_fetches"] = drawing.rates.texture_fetches;
+  fmt::print("{}: {} fragments, {} passed the Z-test; {} lightings, {} texels\n", name_of(architecture), drawing.rates.fragments,
+             drawing.rates.reduced_fragments, drawing.rates.lightings, drawing.rates.texture_fetches);
   ref::Frame frame{list.width, list.height, std::move(drawing.triangle), std::move(drawing.depth), std::move(drawing.colour), {}, {}, {}};
   frame.visible = std::move(drawing.visible);
   return frame;
@@ -91,13 +97,15 @@ void render(const Options& options) {
   LoadedScene loaded = load_snapped(options.input);
   const ref::SnappedList& scene = loaded.list;
   Json rates;
-  const bool chosen = !options.architecture.empty() || !options.shading.empty();
+  const bool chosen = !options.architecture.empty() || !options.shading.empty() || !options.texture.empty();
   if (chosen && options.engine == "hls") {
     if (options.architecture != "gamma" && options.architecture != "delta") {
       throw ref::Error("--architecture and --shading: the kernels are of type gamma or delta, with the shading of their configuration: "
                        "take --engine ref for the rest");
     }
-    if (!options.shading.empty()) throw ref::Error("--shading: the kernels have that of their configuration: take --engine ref");
+    if (!options.shading.empty() || !options.texture.empty()) {
+      throw ref::Error("--shading, --texture: the kernels have the shading of their configuration, and no textures: take --engine ref");
+    }
     Config numbers = loaded.configuration.config();
     numbers.architecture = options.architecture == "gamma" ? Architecture::kGamma : Architecture::kDelta;
     loaded.configuration = vectors::Configuration(loaded.configuration.name(), numbers);
@@ -147,6 +155,11 @@ void add_render(CLI::App& app, int&) {
       ->check(CLI::IsMember({"alpha", "beta", "gamma", "delta"}));
   command->add_option("--shading", options->shading, "for --engine ref: flat, gouraud or phong")
       ->check(CLI::IsMember({"flat", "gouraud", "phong"}));
+  command->add_option("--texture", options->texture, "for --engine ref: draw the textures of the scene, nearest or bilinear")
+      ->check(CLI::IsMember({"nearest", "bilinear"}));
+  command->add_option("--mapping", options->mapping, "of textures: affine on the screen, or perspective")
+      ->check(CLI::IsMember({"affine", "perspective"}))
+      ->capture_default_str();
   command->add_option("-o,--output", options->output, "picture to write; the ending chooses the format");
   command->add_option("--dump", options->dump,
                       "folder for index.u32, depth.u32, colour.rgba8 (little endian, row 0 on top) and triangles.tri");

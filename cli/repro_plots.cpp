@@ -31,34 +31,23 @@ std::string label(const Json& row) {
                      row["height"].get<int>());
 }
 
-// Lightings of index rendering and deferred shading, of alpha's.
+// Lightings of index rendering, of alpha's. Those with flat and Gouraud shading are the same share, and so are those of
+// deferred shading and index rendering with Phong.
 std::string plot_lightings(const Json& rows, const std::string& folder) {
   const std::string picture = (fs::path(folder) / "lightings.png").string();
-  std::map<std::string, std::map<std::string, std::string>> lines;  // label, shading
   std::vector<std::string> order;
+  std::map<std::string, std::map<std::string, double>> share;  // label, shading
   for (const Json& row : rows) {
-    const double alpha = row["alpha"]["lightings"].get<double>();
     const std::string name = label(row);
     if (std::find(order.begin(), order.end(), name) == order.end()) order.push_back(name);
-    lines[name][row["shading"].get<std::string>()] = fmt::format("{} {}", 100 * row["beta"]["lightings"].get<double>() / alpha,
-                                                                 100 * row["delta"]["lightings"].get<double>() / alpha);
+    share[name][row["shading"].get<std::string>()] = 100 * row["delta"]["lightings"].get<double>() / row["alpha"]["lightings"].get<double>();
   }
-  std::string script = header(picture, 1100, 520, "Lightings, percent of the traditional pipeline's");
-  script += "$data << EOD\n";
-  std::vector<std::string> shadings;
-  for (const auto& item : lines.begin()->second) shadings.push_back(item.first);
-  for (const std::string& name : order) {
-    script += fmt::format("\"{}\"", name);
-    for (const std::string& shading : shadings) script += " " + lines[name][shading];
-    script += "\n";
-  }
-  script += "EOD\nset ylabel 'percent of alpha'\nplot ";
-  constexpr const char* kColours[] = {"#2a9d5c", "#1f6fb4", "#8a4fa8"};
-  for (std::size_t n = 0; n < shadings.size(); ++n) {
-    script += fmt::format("{}$data using {}:xtic(1) lc rgb '{}' fs pattern 4 title 'beta, {}', $data using {} lc rgb '{}' title 'gamma, delta, {}'",
-                          n ? ", " : "", 2 * n + 2, kColours[n % 3], shadings[n], 2 * n + 3, kColours[n % 3], shadings[n]);
-  }
-  run_gnuplot(script + "\n", picture);
+  std::string script = header(picture, 1100, 520, "Lightings, percent of the traditional pipeline's") + "$data << EOD\n";
+  for (const std::string& name : order) script += fmt::format("\"{}\" {} {}\n", name, share[name]["gouraud"], share[name]["phong"]);
+  script += "EOD\nset ylabel 'percent of alpha'\nset yrange [0:110]\nset key outside top center horizontal\n"
+            "plot $data using 2:xtic(1) lc rgb '#2a9d5c' title 'gamma, delta: flat, Gouraud (beta: 100)', "
+            "$data using 3 lc rgb '#8a4fa8' title 'beta, gamma, delta: Phong'\n";
+  run_gnuplot(script, picture);
   return picture;
 }
 

@@ -150,6 +150,22 @@ std::array<glm::dvec3, 3> Geometry::normals(std::size_t k) const {
   return normals;
 }
 
+int Geometry::texture(std::size_t k) const {
+  const Mesh& mesh = scene_.meshes[scene_.instances[origins_[k].instance].mesh];
+  return mesh.texture_coordinates.empty() ? -1 : scene_.materials[mesh.material].texture;
+}
+
+std::array<glm::dvec2, 3> Geometry::texture_coordinates(std::size_t k) const {
+  const Origin& origin = origins_[k];
+  const Mesh& mesh = scene_.meshes[scene_.instances[origin.instance].mesh];
+  std::array<glm::dvec2, 3> coordinates;
+  for (int v = 0; v < 3; ++v) {
+    coordinates[v] = glm::dvec2(0);
+    for (int i = 0; i < 3; ++i) coordinates[v] += origin.weights[v][i] * mesh.texture_coordinates[origin.corner[i]];
+  }
+  return coordinates;
+}
+
 TriangleList project(const Scene& scene, const View& view) {
   Geometry geometry(scene, view);
   TriangleList list = geometry.positions();

@@ -52,6 +52,10 @@ class Geometry {
 
   // In the world, on the side that is seen, of length 1 unless the triangle was clipped.
   std::array<glm::dvec3, 3> normals(std::size_t k) const;
+  // −1 where the material has no texture or the mesh no coordinates.
+  int texture(std::size_t k) const;
+  // (u, v) of the vertices of a triangle that has a texture.
+  std::array<glm::dvec2, 3> texture_coordinates(std::size_t k) const;
 
  private:
   // A mesh in its place.

@@ -49,6 +49,18 @@ struct OrderedTriangle {
   }
 };
 
+// What each vertex of the triangle, in its own order, counts at a point: exact edge functions over D, none negative at a
+// covered centre, so that nothing cancels on slivers. D is not 0.
+inline std::array<double, 3> vertex_weights(const OrderedTriangle& t, std::int64_t px, std::int64_t py) {
+  std::array<double, 3> weights;
+  for (int i = 0; i < 3; ++i) {
+    const int a = (i + 1) % 3, b = (i + 2) % 3;
+    const std::int64_t area = (t.x[b] - t.x[a]) * (py - t.y[a]) - (t.y[b] - t.y[a]) * (px - t.x[a]);
+    weights[t.vertex[i]] = double(area) / double(t.area);
+  }
+  return weights;
+}
+
 // V(p) = v0 + (N_A (px - x0) + N_B (py - y0)) / D with
 //   N_A = (v1 - v0)(y2 - y0) - (v2 - v0)(y1 - y0),  N_B = (v2 - v0)(x1 - x0) - (v1 - v0)(x2 - x0),
 // the Gouraud planes of the dual pipeline over one denominator. All in integers: on a sliver the terms are

@@ -48,9 +48,9 @@ void check(const Scene& scene) {
 
 }  // namespace
 
-Scene load_scene(const std::string& name_or_path, double time_seconds) {
+Scene load_scene(const std::string& name_or_path, double time_seconds, bool textured) {
   std::optional<Scene> scene = builtin_scene(name_or_path);
-  if (!scene) scene = read_scene_file(name_or_path, time_seconds);
+  if (!scene) scene = read_scene_file(name_or_path, time_seconds, textured);
   check(*scene);
   return std::move(*scene);
 }

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "ref/texture.hpp"
+
 namespace halfspace::ref {
 
 // Coefficients of the Phong model, 0-1 a channel.
@@ -16,6 +18,7 @@ struct Material {
   glm::dvec3 ambient{0.8}, diffuse{0.8}, specular{0}, emission{0};  // Ka, Kd, Ks
   double shininess = 0;                                             // n
   bool two_sided = false;                                           // drawn from behind as well
+  int texture = -1;                                                 // its colour multiplies what is lit; −1: none
 };
 
 // Triangles are counter-clockwise seen from outside.
@@ -24,6 +27,7 @@ struct Mesh {
   std::vector<glm::dvec3> positions;
   std::vector<glm::dvec3> normals;  // one a position, of length 1
   std::vector<glm::dvec3> colours;  // one a position, or none at all; they multiply Ka and Kd
+  std::vector<glm::dvec2> texture_coordinates;  // (u, v), one a position, or none at all
   std::vector<std::array<std::uint32_t, 3>> triangles;
   int material = 0;
 };
@@ -55,6 +59,7 @@ struct Scene {
   std::string name;
   std::vector<Mesh> meshes;
   std::vector<Material> materials;
+  std::vector<Texture> textures;
   std::vector<Instance> instances;
   std::vector<Light> lights;          // none: one from the upper left behind the viewer
   glm::dvec3 ambient{0.32};           // Ia
@@ -69,7 +74,8 @@ struct Scene {
 
 // A built-in scene by its name, or any file that Assimp reads, with the first of its animations (nodes and
 // bones) at `time_seconds`; the built-in scenes stand still. Error on everything that cannot be drawn.
-Scene load_scene(const std::string& name_or_path, double time_seconds = 0);
+// Textures are read if `textured`, and one that is missing is an error then.
+Scene load_scene(const std::string& name_or_path, double time_seconds = 0, bool textured = false);
 
 std::vector<std::string> builtin_scene_names();
 

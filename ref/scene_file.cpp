@@ -83,6 +83,7 @@ Mesh mesh_of(const aiMesh& source, const std::string& path) {
   for (unsigned i = 0; i < source.mNumVertices; ++i) {
     mesh.positions.push_back(to_glm(source.mVertices[i]));
     mesh.normals.push_back(source.mNormals ? to_glm(source.mNormals[i]) : glm::dvec3(0));
+    if (source.mTextureCoords[0]) mesh.texture_coordinates.emplace_back(source.mTextureCoords[0][i].x, source.mTextureCoords[0][i].y);
     if (!source.mColors[0]) continue;
     const aiColor4D& c = source.mColors[0][i];
     mesh.colours.emplace_back(c.r, c.g, c.b);
@@ -139,7 +140,7 @@ std::vector<glm::dvec3> world_points(const Scene& scene) {
 
 }  // namespace
 
-Scene read_scene_file(const std::string& path, double time_seconds) {
+Scene read_scene_file(const std::string& path, double time_seconds, bool textured) {
   check_input_file(path);
   check_promised_elements(path);
   Assimp::Importer importer;
@@ -154,6 +155,7 @@ Scene read_scene_file(const std::string& path, double time_seconds) {
   scene.duration = start.duration();
   for (unsigned i = 0; i < file.mNumMaterials; ++i)
     scene.materials.push_back(material_of(*file.mMaterials[i]));
+  if (textured) add_textures(file, path, &scene);
   scene.materials.emplace_back();  // light grey, for meshes without one
   for (Mesh& mesh : scene.meshes) {
     mesh.material = std::clamp(mesh.material, 0, static_cast<int>(scene.materials.size()) - 1);

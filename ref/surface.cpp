@@ -95,14 +95,8 @@ class PhongSurface : public Surface {
     if (k != k_) set(k);
     const std::int64_t one = std::int64_t(1) << list_.format.subpixel_bits;
     const std::int64_t px = x * one + one / 2, py = y * one + one / 2;
-    // Weights of the vertices: exact edge functions of the edges that face them, none negative.
-    glm::dvec3 normal(0);
-    for (int i = 0; i < 3; ++i) {
-      const int a = (i + 1) % 3, b = (i + 2) % 3;
-      const std::int64_t weight = (triangle_->x[b] - triangle_->x[a]) * (py - triangle_->y[a]) -
-                                  (triangle_->y[b] - triangle_->y[a]) * (px - triangle_->x[a]);
-      normal += double(weight) / double(triangle_->area) * normals_[triangle_->vertex[i]];
-    }
+    const std::array<double, 3> weights = vertex_weights(*triangle_, px, py);
+    const glm::dvec3 normal = weights[0] * normals_[0] + weights[1] * normals_[1] + weights[2] * normals_[2];
     ++lightings;
     const glm::dvec3 lit = distant_colour(scene_.materials[material_], scene_.lights, normal);
     std::array<std::uint8_t, 4> colour{0, 0, 0, 255};
@@ -130,7 +124,54 @@ class PhongSurface : public Surface {
   int material_ = 0;
 };
 
+class TexturedSurface : public Surface {
+ public:
+  TexturedSurface(std::unique_ptr<Surface> lit, const Geometry& geometry, const SnappedList& list, const TextureMode& mode)
+      : lit_(std::move(lit)), geometry_(geometry), list_(list), mode_(mode) {}
+
+  int light(std::uint32_t k) override { return lit_->light(k); }
+  std::array<std::uint8_t, 4> colour(std::uint32_t k, int x, int y, std::uint64_t& lightings, std::uint64_t& texels) override {
+    std::array<std::uint8_t, 4> colour = lit_->colour(k, x, y, lightings, texels);
+    if (k != k_) set(k);
+    if (texture_ < 0) return colour;
+    const std::int64_t one = std::int64_t(1) << list_.format.subpixel_bits;
+    std::array<double, 3> weights = vertex_weights(*triangle_, x * one + one / 2, y * one + one / 2);
+    if (mode_.mapping == TextureMapping::kPerspective) {
+      double total = 0;
+      for (int v = 0; v < 3; ++v) total += weights[v] /= geometry_.origins()[k - 1].w[v];
+      for (double& weight : weights) weight /= total;
+    }
+    const glm::dvec2 uv = weights[0] * coordinates_[0] + weights[1] * coordinates_[1] + weights[2] * coordinates_[2];
+    const glm::dvec3 texel = sample(geometry_.scene().textures[texture_], uv, mode_.filter, texels);
+    const int bits = list_.format.colour_bits;
+    for (int c = 0; c < 3; ++c) colour[c] = displayed_colour(snapped_colour(colour[c] * texel[c] / 255, bits), bits);
+    return colour;
+  }
+
+ private:
+  void set(std::uint32_t k) {
+    k_ = k;
+    triangle_.emplace(list_.triangles[k - 1]);
+    texture_ = geometry_.texture(k - 1);
+    if (texture_ >= 0) coordinates_ = geometry_.texture_coordinates(k - 1);
+  }
+
+  const std::unique_ptr<Surface> lit_;
+  const Geometry& geometry_;
+  const SnappedList& list_;
+  const TextureMode mode_;
+  std::uint32_t k_ = 0;
+  std::optional<OrderedTriangle> triangle_;
+  int texture_ = -1;
+  std::array<glm::dvec2, 3> coordinates_;
+};
+
 }  // namespace
+
+std::unique_ptr<Surface> textured_surface(std::unique_ptr<Surface> lit, const Geometry& geometry, const SnappedList& list,
+                                          const TextureMode& mode) {
+  return std::make_unique<TexturedSurface>(std::move(lit), geometry, list, mode);
+}
 
 const char* name_of(ShadingMode mode) {
   constexpr const char* kNames[] = {"flat", "gouraud", "phong"};

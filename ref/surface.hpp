@@ -34,6 +34,18 @@ std::unique_ptr<Surface> given_surface(const SnappedList&);
 //   Phong: one a pixel, of the normal by planes over the snapped triangle, with lights and viewer at infinity.
 std::unique_ptr<Surface> lit_surface(Geometry&, const SnappedList& list, ShadingMode);
 
+// How texture coordinates vary over a triangle on the screen.
+enum class TextureMapping {
+  kAffine,       // by planes of u and v, as index rendering has them
+  kPerspective,  // by planes of u/w, v/w and 1/w, and a division a pixel
+};
+struct TextureMode {
+  TextureFilter filter = TextureFilter::kBilinear;
+  TextureMapping mapping = TextureMapping::kPerspective;
+};
+// What `lit` shows, times the texture where a triangle has one. The scene of the geometry was loaded with its textures.
+std::unique_ptr<Surface> textured_surface(std::unique_ptr<Surface> lit, const Geometry&, const SnappedList& list, const TextureMode&);
+
 }  // namespace halfspace::ref
 
 #endif  // HALFSPACE_REF_SURFACE_HPP_

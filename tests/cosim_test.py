@@ -26,7 +26,8 @@ def rates(args, engine, options):
     if code:
         raise SystemExit(text)
     found = json.loads(report.read_text())["rates"]
-    found.pop("lightings", None)
+    for name in ("lightings", "texture_fetches"):
+        found.pop(name, None)
     return found
 
 
