@@ -1,0 +1,81 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""`halfspace repro`: the numbers that the papers print come out of their formulas, and ours lie where docs/repro.md says.
+Usage: repro_test.py HALFSPACE"""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+HALFSPACE = sys.argv[1]
+
+
+def repro(folder, *args):
+    report = pathlib.Path(folder) / "report.json"
+    done = subprocess.run([HALFSPACE, "repro", *args, "--json", str(report), "--out", str(folder)], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    return json.loads(report.read_text()), done.stdout
+
+
+class Repro(unittest.TestCase):
+    def test_index_rendering(self):
+        with tempfile.TemporaryDirectory() as folder:
+            report, _ = repro(folder, "A", "castle", "polyhedron")
+            for name in ("lightings", "buffers", "bandwidth"):
+                self.assertGreater((pathlib.Path(folder) / f"{name}.png").stat().st_size, 5000)
+        seen = set()
+        for row in report["lightings"]:
+            rates = {name: row[name] for name in ("alpha", "beta", "gamma", "delta")}
+            for other in rates.values():
+                for name in ("triangles", "reduced_triangles", "fragments", "reduced_fragments", "visible_pixels"):
+                    self.assertEqual(other[name], rates["alpha"][name])
+            each = {"flat": 1, "gouraud": 3, "phong": 0}[row["shading"]]
+            phong = row["shading"] == "phong"
+            self.assertEqual(rates["alpha"]["lightings"],
+                             rates["alpha"]["reduced_fragments"] if phong else each * rates["alpha"]["triangles"])
+            self.assertEqual(rates["beta"]["lightings"], rates["beta"]["visible_pixels"] if phong else each * rates["beta"]["triangles"])
+            for name in ("gamma", "delta"):
+                self.assertEqual(rates[name]["lightings"],
+                                 rates[name]["visible_pixels"] if phong else each * rates[name]["reduced_triangles"])
+            saved = 1 - rates["delta"]["lightings"] / rates["alpha"]["lightings"]
+            if row["scene"] == "castle":
+                low, high = (0.3, 0.95) if phong else (0.1, 0.7)
+                self.assertTrue(low <= saved <= high, (row["width"], row["shading"], saved))
+            elif not phong:
+                self.assertEqual(saved, 0)
+            seen.add((row["scene"], row["width"], row["shading"]))
+        self.assertEqual(len(seen), 2 * 5 * 3)
+        for row in report["sizes"]:
+            if row["wide_pixel"] == "planes" and row["shading"] != "flat" and row["width"] >= 320:
+                for name in ("gamma", "delta"):
+                    self.assertLess(row[name]["total"], 0.3 * row["beta"]["total"], row)
+        for row in report["bandwidth"]:
+            if row["wide_pixel"] == "planes" and row["shading"] != "flat":
+                self.assertLess(row["delta"]["total"], 0.5 * row["beta"]["total"], row)
+                self.assertLess(row["gamma"]["total"] - row["gamma"]["tdbv"], 0.5 * row["beta"]["total"], row)
+
+    def test_dual_pipeline(self):
+        with tempfile.TemporaryDirectory() as folder:
+            report, text = repro(folder, "B", "castle")
+        for number in ("1281k", "78.4%", "52.6%", "56.1%", "36.6%"):
+            self.assertIn(number, text)
+        for n in [*report["printed"].values(), *report["measured"]]:
+            self.assertEqual(n["type_1"], 231 * n["a"] + 405 * n["b"])
+            self.assertEqual(n["type_2"], 636 * n["a"])
+            self.assertEqual(n["dual"], 132 * n["a"] + 504 * n["c"])
+        castle = report["measured"][0]
+        self.assertTrue(castle["a"] > castle["b"] > castle["c"] > 0)
+        self.assertLess(castle["corners_visible"], castle["corners_facing"])
+        self.assertGreater(castle["light_facing_ms"], 0)
+
+    def test_bad_calls_say_why(self):
+        for args, words in ((["A", "nowhere.obj"], "nowhere.obj"), (["C"], "")):
+            done = subprocess.run([HALFSPACE, "repro", *args], capture_output=True, text=True)
+            self.assertNotEqual(done.returncode, 0)
+            self.assertIn(words, done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
