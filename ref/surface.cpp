@@ -93,16 +93,7 @@ class PhongSurface : public Surface {
   int light(std::uint32_t) override { return 0; }
   std::array<std::uint8_t, 4> colour(std::uint32_t k, int x, int y, std::uint64_t& lightings, std::uint64_t&) override {
     if (k != k_) set(k);
-    const std::int64_t one = std::int64_t(1) << list_.format.subpixel_bits;
-    const std::int64_t px = x * one + one / 2, py = y * one + one / 2;
-    // Weights of the vertices: exact edge functions of the edges that face them, none negative.
-    glm::dvec3 normal(0);
-    for (int i = 0; i < 3; ++i) {
-      const int a = (i + 1) % 3, b = (i + 2) % 3;
-      const std::int64_t weight = (triangle_->x[b] - triangle_->x[a]) * (py - triangle_->y[a]) -
-                                  (triangle_->y[b] - triangle_->y[a]) * (px - triangle_->x[a]);
-      normal += double(weight) / double(triangle_->area) * normals_[triangle_->vertex[i]];
-    }
+    const glm::dvec3 normal = normal_at(*triangle_, normals_, list_.format.subpixel_bits, x, y);
     ++lightings;
     const glm::dvec3 lit = distant_colour(scene_.materials[material_], scene_.lights, normal);
     std::array<std::uint8_t, 4> colour{0, 0, 0, 255};
@@ -135,6 +126,20 @@ class PhongSurface : public Surface {
 const char* name_of(ShadingMode mode) {
   constexpr const char* kNames[] = {"flat", "gouraud", "phong"};
   return kNames[int(mode)];
+}
+
+glm::dvec3 normal_at(const OrderedTriangle& triangle, const std::array<glm::dvec3, 3>& normals, int subpixel_bits, int x, int y) {
+  const std::int64_t one = std::int64_t(1) << subpixel_bits;
+  const std::int64_t px = x * one + one / 2, py = y * one + one / 2;
+  // Weights of the vertices: exact edge functions of the edges that face them, none negative.
+  glm::dvec3 normal(0);
+  for (int i = 0; i < 3; ++i) {
+    const int a = (i + 1) % 3, b = (i + 2) % 3;
+    const std::int64_t weight = (triangle.x[b] - triangle.x[a]) * (py - triangle.y[a]) -
+                                (triangle.y[b] - triangle.y[a]) * (px - triangle.x[a]);
+    normal += double(weight) / double(triangle.area) * normals[triangle.vertex[i]];
+  }
+  return normal;
 }
 
 std::unique_ptr<Surface> given_surface(const SnappedList& list) { return std::make_unique<GivenSurface>(list); }

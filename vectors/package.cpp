@@ -83,6 +83,7 @@ std::string lighting_text(const Config& c) {
                                      {"MaterialWordBits", layouts[1].bits},
                                      {"LightSumBits", t.light_sum.width},
                                      {"LightSumFraction", t.light_sum.width - t.light_sum.integer}});
+  if (is_phong(c)) text += constants_text({{"NormalFraction", c.normal_fraction}, {"NormalPlaneBits", t.normal_plane.width}});
   text += "\n" + root_table_text() + "\n";
   for (const Layout& layout : layouts) text += record(layout);
   return text;
