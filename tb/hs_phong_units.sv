@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The units of Phong shading, each alone, for the bench: as hs_units, which has what every configuration has.
 //
-//   phong_setup
+//   triangle_setup, phong_setup
 //   shade_phong   `light` and `material` words go into its registers and memories, and `normal_planes` words into TdbS,
 //                 before the scan
 module hs_phong_units #(
@@ -18,7 +18,20 @@ module hs_phong_units #(
   localparam int unsigned PlanesBits = hs_formats_pkg::MaterialBits + 9 * hs_formats_pkg::NormalPlaneBits
 ) (
   input  logic                           rst_ni,
+  input  hs_formats_pkg::x_t             frame_width_i,
+  input  hs_formats_pkg::y_t             frame_height_i,
   input  logic [3*ColourBits-1:0]        background_i,
+
+  input  logic                           triangle_setup_clk_i,
+  input  logic                           triangle_setup_triangle_valid_i,
+  output logic                           triangle_setup_triangle_ready_o,
+  input  hs_formats_pkg::triangle_t      triangle_setup_triangle_i,
+  output logic                           triangle_setup_setup_valid_o,
+  input  logic                           triangle_setup_setup_ready_i,
+  output hs_formats_pkg::setup_t         triangle_setup_setup_o,
+  output logic                           triangle_setup_attributes_valid_o,
+  input  logic                           triangle_setup_attributes_ready_i,
+  output hs_formats_pkg::attributes_t    triangle_setup_attributes_o,
 
   input  logic                           phong_setup_clk_i,
   input  logic                           phong_setup_attributes_valid_i,
@@ -45,6 +58,25 @@ module hs_phong_units #(
   input  logic                           shade_phong_pixel_ready_i,
   output logic [PixelBits-1:0]           shade_phong_pixel_o
 );
+  hs_triangle_setup #(
+    .LanesX(LanesX),
+    .LanesY(LanesY)
+  ) u_triangle_setup (
+    .clk_i             (triangle_setup_clk_i),
+    .rst_ni            (rst_ni),
+    .frame_width_i     (frame_width_i),
+    .frame_height_i    (frame_height_i),
+    .triangle_valid_i  (triangle_setup_triangle_valid_i),
+    .triangle_ready_o  (triangle_setup_triangle_ready_o),
+    .triangle_i        (triangle_setup_triangle_i),
+    .setup_valid_o     (triangle_setup_setup_valid_o),
+    .setup_ready_i     (triangle_setup_setup_ready_i),
+    .setup_o           (triangle_setup_setup_o),
+    .attributes_valid_o(triangle_setup_attributes_valid_o),
+    .attributes_ready_i(triangle_setup_attributes_ready_i),
+    .attributes_o      (triangle_setup_attributes_o)
+  );
+
   hs_phong_setup u_phong_setup (
     .clk_i                (phong_setup_clk_i),
     .rst_ni               (rst_ni),
