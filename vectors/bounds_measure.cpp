@@ -72,7 +72,7 @@ void TriangleMeter::measure(const ref::SnappedTriangle& triangle) {
     for (const ProbedPixel& p : pixels) measure_pixel(colour, p.colour[c], p.x, p.y);
   }
   for (const ProbedPixel& p : pixels) {
-    if (is_gouraud(config_)) break;
+    if (shades_planes(config_)) break;
     if (report_.rows[kColourSteps].count(1, p.colour != triangle.rgb[0])) report_.rows[kColourSteps].where = place(p.x, p.y);
   }
   report_.classes.back().pixels += pixels.size();
