@@ -77,6 +77,7 @@ BoundsReport proved_bounds(const Config& config) {
     bound(kNormalGradient, "phong_setup", "gradient of a normal", place(config.normal_bits + normal.fraction), "phong_setup_product", 0.5);
     bound(kNormalPlane, "phong_setup", "plane of a normal", unit, "shade_phong_normal", value(far.in_register));
     bound(kNormalPlaneInFrame, "phong_setup", "… in the frame", unit, "shade_phong_normal_frame", value(near.in_register));
+    exact(kNormalSteps, "shade_phong", "normal, from its plane");
     bound(kNormalRounded, "shade_phong", "normal, rounded", unit, "shade_phong_rounded", value(far.rounded));
   }
   if (has_lighting(config)) {

@@ -60,6 +60,7 @@ enum Quantity {
   kNormalGradient,
   kNormalPlane,
   kNormalPlaneInFrame,
+  kNormalSteps,
   kNormalRounded,
   kLightCosine,
   kLightPower,
