@@ -225,7 +225,7 @@ TEST(FeatureRefusals, AreOfWhatIsThere) {
   c.depth_fraction = 9;
   EXPECT_NE(refusal_of(c).find("depth planes"), std::string::npos) << refusal_of(c);
   const std::string toml = vectors::configuration_toml(Configuration("x", FlatDepth::config()));
-  for (const char* line : {"shading = \"phong\"", "shading = 1"}) {
+  for (const char* line : {"shading = \"blinn\"", "shading = 1"}) {
     std::string text = toml;
     text.replace(text.find("shading = \"flat\""), 16, line);
     try {
