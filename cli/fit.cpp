@@ -170,7 +170,7 @@ void fit(const Options& options) {
   for (const auto& one : found.less) less.push_back({{"change", one.change}, {"result", one.result}});
   const Config c = found.configuration.config();
   for (const auto& field : vectors::config_fields()) numbers[field.name] = c.*field.value;
-  numbers["shading"] = is_gouraud(c) ? "gouraud" : "flat";
+  numbers["shading"] = vectors::shading_name(c.shading);
   write_json(options.json, {{"scene", scene.name},
                             {"frames", scene.frames.size()},
                             {"width", scene.width},

@@ -8,11 +8,13 @@
 #include "cli/progress.hpp"
 #include "cli/scene_input.hpp"
 #include "ref/error.hpp"
+#include "ref/geometry.hpp"
 #include "ref/scene.hpp"
 #include "ref/triangle_list.hpp"
 #include "ref/viewpoint.hpp"
 #include "vectors/engine.hpp"
 #include "vectors/extremes.hpp"
+#include "vectors/phong.hpp"
 #include "vectors/standard_set.hpp"
 #include "vectors/vector_set.hpp"
 
@@ -27,6 +29,20 @@ struct Options {
   bool corners = true;
   int random = 4, random_triangles = 60;
 };
+
+// Normals of all kinds for the frames that there are, and those of the scene, which comes last.
+void add_normals(const Options& options, const vectors::Configuration& configuration, std::vector<vectors::NamedFrame>& frames) {
+  const Config config = configuration.config();
+  for (std::size_t n = 0; n < frames.size(); ++n) {
+    frames[n].lighting = vectors::awkward_normals(frames[n].scene.triangles.size(), config, options.seed + n);
+  }
+  const std::string& name = options.input.scene;
+  if (name == "standard" || name == "largest" || ref::is_tri_file(name)) return;
+  const ref::Scene scene = ref::load_scene(name, options.input.time);
+  const ref::SnappedList& list = frames.back().scene;
+  const ref::Geometry geometry(scene, {list.width, list.height, config.range_bits, config.subpixel_bits});
+  frames.back().lighting = vectors::phong_lighting(geometry, config);
+}
 
 // Frames of normals alone for light_vertex, with a frame of one pixel for the rest; and the normals of the scene.
 void add_lighting(const Options& options, const vectors::Configuration& configuration, bool corners,
@@ -67,7 +83,8 @@ void write_vectors(const Options& options) {
     frames = std::move(first);
   }
 
-  if (has_lighting(configuration.config())) add_lighting(options, configuration, corners, frames);
+  if (is_phong(configuration.config())) add_normals(options, configuration, frames);
+  else if (has_lighting(configuration.config())) add_lighting(options, configuration, corners, frames);
 
   vectors::VectorSetOptions set;
   set.scene = options.input.scene;

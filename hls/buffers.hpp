@@ -22,7 +22,13 @@ struct DepthBuffer {
 // TdbS, the triangle database for shading: entry index − 1.
 template <class F>
 struct ShadingDatabase {
-  Planes<F> planes[F::kTriangles];
+  Planes<F> planes[F::kPhong ? 1 : F::kTriangles];
+};
+
+// TdbS with F::kPhong.
+template <class F>
+struct NormalDatabase {
+  NormalPlanes<F> planes[F::kPhong ? F::kTriangles : 1];
 };
 
 // The depth plane of a triangle from the centre of pixel (0, 0) of the frame on, ½ included, modulo 2^b.
@@ -39,13 +45,28 @@ struct VisibilityDatabase {
   DepthEntry<F> entry[F::kTestsPlanes ? F::kTriangles : 1];
 };
 
+constexpr int kMostLights = 4;
+
+// Registers and a memory of lighting: stable while a normal is lit.
+template <class F>
+struct LightTable {
+  Light<F> light[kMostLights];
+};
+template <class F>
+struct MaterialTable {
+  Material<F> entry[F::kMaterials < 1 ? 1 : F::kMaterials][kMostLights];
+};
+
 // I-buffer all 0 before the first frame; a frame leaves it so.
 template <class F>
 struct Buffers {
   IndexBuffer<F> index;
   DepthBuffer<F> depth;
   ShadingDatabase<F> shading;
+  NormalDatabase<F> normals;
   VisibilityDatabase<F> visibility;
+  LightTable<F> lights;
+  MaterialTable<F> materials;
 };
 
 }  // namespace halfspace

@@ -7,8 +7,9 @@
 
 namespace halfspace {
 
-// Gouraud: colours are planes over a triangle. Flat: a triangle has one colour, that of its first vertex as given.
-enum class Shading { kGouraud, kFlat };
+// Gouraud: colours are planes over a triangle. Flat: a triangle has one colour, that of its first vertex as given. Phong: normals
+// are planes, and each visible pixel is lit.
+enum class Shading { kGouraud, kFlat, kPhong };
 
 // Index rendering, where the depth of a pixel comes from that a fragment is tested against. Type δ: a Z-buffer keeps it.
 // Type γ: there is none; the plane of the triangle whose index is stored is fetched from TdbV and evaluated again.
@@ -35,6 +36,7 @@ struct Config {
   int lights = 0;       // lights that are built; 0: no lighting
   int gloss = 0;        // largest exponent of a highlight: 1, 2, 4, 8, 16; 0: no highlights
   int materials = 0;    // materials a frame
+  int normal_fraction = 0;  // g of the planes of normals; 0 without Phong shading
 };
 
 constexpr bool has_depth(const Config& c) { return c.depth_bits != 0; }
@@ -42,10 +44,15 @@ constexpr bool has_depth(const Config& c) { return c.depth_bits != 0; }
 constexpr bool stores_depth(const Config& c) { return has_depth(c) && c.architecture == Architecture::kDelta; }
 constexpr bool tests_planes(const Config& c) { return c.architecture == Architecture::kGamma; }
 constexpr bool is_gouraud(const Config& c) { return c.shading == Shading::kGouraud; }
+constexpr bool is_phong(const Config& c) { return c.shading == Shading::kPhong; }
+// Whether a triangle has planes of what it is shaded with.
+constexpr bool shades_planes(const Config& c) { return is_gouraud(c) || is_phong(c); }
 constexpr bool has_lighting(const Config& c) { return c.lights != 0; }
 constexpr bool has_gloss(const Config& c) { return c.gloss != 0; }
 // Whether a triangle has a plane at all, and needs the reciprocal of its area.
-constexpr bool has_planes(const Config& c) { return has_depth(c) || is_gouraud(c); }
+constexpr bool has_planes(const Config& c) { return has_depth(c) || shades_planes(c); }
+// Bits of a component of a normal, with its sign, as a plane has it; 0 without Phong shading.
+constexpr int normal_plane_bits(const Config& c) { return is_phong(c) ? c.normal_bits + 1 : 0; }
 
 // Bits that hold 0 … n.
 constexpr int bits_for(std::int64_t n) { return n < 2 ? 1 : 1 + bits_for(n / 2); }
@@ -87,16 +94,18 @@ enum class Refusal {
   kLanes,               // 1, 2, 4, 8, 16
   kFractionBits,        // 1 … 40 for g, 2 … 40 for r
   kIdleBits,            // a number of what is not there
+  kUnlitPhong,          // Phong shading without lights
   kIdleArchitecture,    // type γ without depth: there is no plane to evaluate
   kFrameOutsideRange,   // the centres of all stamps, and of the stamps around the frame, are positions
   kDepthError,          // the depth plane is off by half an LSB or more
   kColourError,         // the colour planes are off by half an LSB or more
+  kNormalError,         // the planes of normals are off by half a unit of 2^−p or more
   kReciprocalShort,     // a gradient keeps no more fraction bits than its reciprocal has
   kEdgeWord,            // an edge function, with the carry of its subtraction, is one machine word
   kNumeratorWord,       // so is the numerator of a gradient
   kGradientWord,        // so are the halves of the product with the reciprocal, and the half that rounds it
   kStartWord,           // so is the start of a plane
-  kShadeWord,           // so is a colour gradient times a pixel coordinate
+  kShadeWord,           // so is a gradient of a colour or a normal times a pixel coordinate
   kTestWord,            // and for type γ a depth gradient times a pixel coordinate
   kNormalBits,          // 9 … 16: the square of a length fills the fields of a reciprocal root; all products are one word
   kLights,              // 0 … 4: a normal takes a cycle a light
@@ -123,36 +132,42 @@ constexpr Refusal refusal(const Config& c) {
   if (!within(c.colour_bits, 1, 8)) return Refusal::kColourBits;
   if (!within(c.lanes, 1, 16) || c.lanes != 1 << exact_log2(c.lanes)) return Refusal::kLanes;
   if ((has_planes(c) && !within(c.reciprocal_bits, 2, 40)) || (has_depth(c) && !within(c.depth_fraction, 1, 40)) ||
-      (is_gouraud(c) && !within(c.colour_fraction, 1, 40))) {
+      (is_gouraud(c) && !within(c.colour_fraction, 1, 40)) || (is_phong(c) && !within(c.normal_fraction, 1, 40))) {
     return Refusal::kFractionBits;
   }
   if ((!has_planes(c) && c.reciprocal_bits != 0) || (!has_depth(c) && c.depth_fraction != 0) ||
-      (!is_gouraud(c) && c.colour_fraction != 0)) {
+      (!is_gouraud(c) && c.colour_fraction != 0) || (!is_phong(c) && c.normal_fraction != 0)) {
     return Refusal::kIdleBits;
   }
+  if (is_phong(c) && !has_lighting(c)) return Refusal::kUnlitPhong;
   if (tests_planes(c) && !has_depth(c)) return Refusal::kIdleArchitecture;
+  if (is_phong(c) && !within(c.normal_bits, 9, 16)) return Refusal::kNormalBits;
   const int longer_side = c.width > c.height ? c.width : c.height;
   const int margin = 3 * 4;  // pixels of the stamps around the frame, 4 at most each way
   if (!within(c.range_bits, 1, 20) || longer_side + margin > 1 << (c.range_bits - 1)) return Refusal::kFrameOutsideRange;
   if (has_depth(c) && !plane_error_ok(c, c.depth_bits, c.depth_fraction)) return Refusal::kDepthError;
   if (is_gouraud(c) && !plane_error_ok(c, c.colour_bits, c.colour_fraction)) return Refusal::kColourError;
-  const int fraction = c.depth_fraction > c.colour_fraction ? c.depth_fraction : c.colour_fraction;
+  const int normal = normal_plane_bits(c);
+  if (is_phong(c) && !plane_error_ok(c, normal, c.normal_fraction)) return Refusal::kNormalError;
+  const int fraction = max_of(c.depth_fraction, max_of(c.colour_fraction, c.normal_fraction));
   if (has_planes(c) && c.reciprocal_bits < c.subpixel_bits + fraction) return Refusal::kReciprocalShort;
   const int position = c.range_bits + c.subpixel_bits;
-  const int value = c.depth_bits > c.colour_bits ? c.depth_bits : c.colour_bits;
+  const int value = max_of(c.depth_bits, max_of(c.colour_bits, normal));
   const int numerator = value + position + 1;
   if (2 * position + 3 > 64) return Refusal::kEdgeWord;
   if (numerator + 2 > 64) return Refusal::kNumeratorWord;  // the sum of its two products, as types grow
   if (numerator - 24 + c.reciprocal_bits + 1 > 63 || 24 + c.reciprocal_bits + 1 > 63) return Refusal::kGradientWord;
   // n of gradient_product, where D is largest: the half that is added is 2^(n−1).
   const int n = 2 * position - 1 + c.reciprocal_bits - c.subpixel_bits;
-  if ((has_depth(c) && n - c.depth_fraction > 63) || (is_gouraud(c) && n - c.colour_fraction > 63)) {
+  if ((has_depth(c) && n - c.depth_fraction > 63) || (is_gouraud(c) && n - c.colour_fraction > 63) ||
+      (is_phong(c) && n - c.normal_fraction > 63)) {
     return Refusal::kGradientWord;
   }
-  if (c.depth_bits + c.depth_fraction + c.subpixel_bits > 63 || c.colour_bits + c.colour_fraction + c.subpixel_bits > 63) {
+  if (c.depth_bits + c.depth_fraction + c.subpixel_bits > 63 || c.colour_bits + c.colour_fraction + c.subpixel_bits > 63 ||
+      normal + c.normal_fraction + c.subpixel_bits > 63) {
     return Refusal::kStartWord;
   }
-  if (c.colour_bits + c.colour_fraction + bits_for(longer_side) > 64) return Refusal::kShadeWord;
+  if (max_of(c.colour_bits + c.colour_fraction, normal + c.normal_fraction) + bits_for(longer_side) > 64) return Refusal::kShadeWord;
   if (tests_planes(c) && c.depth_bits + c.depth_fraction + bits_for(longer_side) > 64) return Refusal::kTestWord;
   if (!has_lighting(c)) {
     return c.normal_bits == 0 && c.gloss == 0 && c.materials == 0 ? Refusal::kNone : Refusal::kIdleLighting;

@@ -24,6 +24,7 @@ struct FormatTable {
   NumberFormat colour, colour_plane, colour_gradient, colour_numerator, colour_start, colour_start_gradient;
   NumberFormat material, light, gloss, normal, direction, squared_length, root, root_shift, dot, projection, cosine;
   NumberFormat coefficient, light_sum;
+  NumberFormat normal_offset, normal_plane, normal_gradient, normal_numerator, normal_start, normal_start_gradient;
 };
 
 // A coefficient of a material, in LSB of the colour: 2^kCoefficientHead times full scale, so that a light brighter than
@@ -60,6 +61,16 @@ constexpr FormatTable lighting_formats(const Config& c, FormatTable t) {
   // Exact: base, diffuse and specular of each light, times 1 at most.
   const int head = t.coefficient.integer + bits_for((has_gloss(c) ? 3 : 2) * lights);
   t.light_sum = {head + kCoefficientFraction + u, head, false};
+
+  // A component as a channel of a plane: plus 2^p units it is a whole number without a sign, as the other channels are, and the
+  // top bit inverted is all that takes. Widths as theirs, with b = p + 1.
+  const int b = p + 1, g = c.normal_fraction, f = c.subpixel_bits;
+  t.normal_offset = {b, b, false};
+  t.normal_plane = {b + g, b, false};
+  t.normal_gradient = {b + g, b, true};
+  t.normal_numerator = {b + c.range_bits + f + 1, b + c.range_bits + 1, true};
+  t.normal_start = {b + g + f, b, true};
+  t.normal_start_gradient = {b + g + f, b + f, true};
   return t;
 }
 
@@ -148,10 +159,13 @@ struct Formats {
   static constexpr int kStamps = kStampsX * kStampsY;
   static constexpr int kTriangles = config().triangles;
   static constexpr bool kHasDepth = has_depth(config()), kGouraud = is_gouraud(config());
+  static constexpr bool kPhong = is_phong(config()), kShadesPlanes = shades_planes(config());
   static constexpr bool kHasPlanes = has_planes(config());
   static constexpr bool kStoresDepth = stores_depth(config()), kTestsPlanes = tests_planes(config());
   // Whether ztest_plane is compiled: refusal() holds the words of its products for type γ alone.
   using CompilesPlaneTest = std::integral_constant<bool, kTestsPlanes>;
+  // So with phong_setup and shade_phong.
+  using CompilesPhong = std::integral_constant<bool, kPhong>;
   static constexpr int kSubpixelBits = config().subpixel_bits;
   static constexpr int kReciprocalFraction = config().reciprocal_bits;
   static constexpr int kAreaBits = table().area.width;
@@ -209,6 +223,16 @@ struct Formats {
   using Cosine = HS_NUMBER(cosine);
   using Coefficient = HS_NUMBER(coefficient);
   using LightSum = HS_NUMBER(light_sum);
+  using NormalPlane = HS_NUMBER(normal_plane);
+  using NormalGradient = HS_NUMBER(normal_gradient);
+  struct NormalChannel {
+    using Value = HS_NUMBER(normal_offset);
+    using PlaneValue = HS_NUMBER(normal_plane);
+    using Gradient = HS_NUMBER(normal_gradient);
+    using Numerator = HS_NUMBER(normal_numerator);
+    using Start = HS_NUMBER(normal_start);
+    using StartGradient = HS_NUMBER(normal_start_gradient);
+  };
 #undef HS_NUMBER
 };
 

@@ -15,22 +15,12 @@
 #ifndef HALFSPACE_HLS_LIGHTING_HPP_
 #define HALFSPACE_HLS_LIGHTING_HPP_
 
-#include "records.hpp"
+#include "buffers.hpp"
 #include "reciprocal_sqrt.hpp"
 
 namespace halfspace {
 
-constexpr int kMostLights = 4, kMostSquarings = 4;
-
-// Registers and a memory: stable while a normal is lit.
-template <class F>
-struct LightTable {
-  Light<F> light[kMostLights];
-};
-template <class F>
-struct MaterialTable {
-  Material<F> entry[F::kMaterials < 1 ? 1 : F::kMaterials][kMostLights];
-};
+constexpr int kMostSquarings = 4;
 
 template <class F>
 void store_light(Stream<Light<F>>& lights, LightTable<F>& table) {

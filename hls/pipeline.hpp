@@ -4,9 +4,11 @@
 #ifndef HALFSPACE_HLS_PIPELINE_HPP_
 #define HALFSPACE_HLS_PIPELINE_HPP_
 
+#include "phong_setup.hpp"
 #include "raster_pineda.hpp"
 #include "scan_index.hpp"
 #include "shade_gouraud.hpp"
+#include "shade_phong.hpp"
 #include "shade_setup.hpp"
 #include "triangle_setup.hpp"
 #include "ztest_index.hpp"
@@ -20,6 +22,8 @@ struct Streams {
   Stream<Setup<F>> setup;
   Stream<Attributes<F>> attributes;
   Stream<Planes<F>> planes;
+  Stream<Normals<F>> normals;
+  Stream<NormalPlanes<F>> normal_planes;
   Stream<Stamp<F>> stamp;
   Stream<TriangleDepth<F>> triangle_depth;
   Probe<int> visits;
@@ -42,14 +46,24 @@ void pipeline_test(Streams<F>& streams, Buffers<F>& buffers, std::true_type) {
               streams.tests);
 }
 
-// One triangle from streams.triangle into the buffers.
+// What a triangle is shaded with, into TdbS.
+template <class F>
+void pipeline_planes(Streams<F>& streams, Buffers<F>& buffers, std::false_type) {
+  shade_setup(streams.attributes, streams.planes);
+  store_planes(streams.planes, buffers.shading);
+}
+template <class F>
+void pipeline_planes(Streams<F>& streams, Buffers<F>& buffers, std::true_type) {
+  if (!F::kPhong) return pipeline_planes(streams, buffers, std::false_type());
+  phong_setup(streams.attributes, streams.normals, streams.normal_planes);
+  store_normal_planes(streams.normal_planes, buffers.normals);
+}
+
+// One triangle from streams.triangle, with F::kPhong after its word of streams.normals, into the buffers.
 template <class F>
 void pipeline_triangle(const Frame<F>& frame, Streams<F>& streams, Buffers<F>& buffers) {
   triangle_setup(frame, streams.triangle, streams.setup, streams.attributes);
-  if (!streams.attributes.empty()) {
-    shade_setup(streams.attributes, streams.planes);
-    store_planes(streams.planes, buffers.shading);
-  }
+  if (!streams.attributes.empty()) pipeline_planes(streams, buffers, typename F::CompilesPhong());
   raster_pineda(frame, streams.setup, streams.stamp, streams.triangle_depth, streams.visits);
   pipeline_test(streams, buffers, typename F::CompilesPlaneTest());
 }
@@ -62,8 +76,17 @@ void pipeline_scan(const Frame<F>& frame, int y, Streams<F>& streams, Buffers<F>
 
 // One stamp of it into streams.pixel.
 template <class F>
-void pipeline_shade(const Frame<F>& frame, Streams<F>& streams, Buffers<F>& buffers) {
+void pipeline_shade(const Frame<F>& frame, Streams<F>& streams, Buffers<F>& buffers, std::false_type) {
   shade_gouraud(frame, streams.scan, buffers.shading, streams.pixel);
+}
+template <class F>
+void pipeline_shade(const Frame<F>& frame, Streams<F>& streams, Buffers<F>& buffers, std::true_type) {
+  if (!F::kPhong) return pipeline_shade(frame, streams, buffers, std::false_type());
+  shade_phong(frame, streams.scan, buffers.normals, buffers.lights, buffers.materials, streams.pixel);
+}
+template <class F>
+void pipeline_shade(const Frame<F>& frame, Streams<F>& streams, Buffers<F>& buffers) {
+  pipeline_shade(frame, streams, buffers, typename F::CompilesPhong());
 }
 
 }  // namespace halfspace

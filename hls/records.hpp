@@ -6,7 +6,7 @@
 // come once a lane stand last in the word, lane 0 in the least significant place, and first in memory, where a processor's
 // vectors find them aligned. A field that a configuration has no use for is not visited, so that no word has it: depths without
 // F::kHasDepth, depths of the Z-buffer without F::kStoresDepth, colours of the other vertices and colour planes without
-// F::kGouraud.
+// F::kGouraud. With F::kPhong a triangle has no colours, and planes of normals.
 #ifndef HALFSPACE_HLS_RECORDS_HPP_
 #define HALFSPACE_HLS_RECORDS_HPP_
 
@@ -15,6 +15,7 @@
 namespace halfspace {
 
 using Bit = ufix<1, 1>;
+using VertexNumber = ufix<2, 2>;  // 0 … 2
 
 // A frame's registers: stable from its first triangle to its last pixel.
 template <class F>
@@ -53,7 +54,7 @@ struct Triangle {
     v("x0", x[0]), v("x1", x[1]), v("x2", x[2]);
     v("y0", y[0]), v("y1", y[1]), v("y2", y[2]);
     if (F::kHasDepth) v("depth0", depth[0]), v("depth1", depth[1]), v("depth2", depth[2]);
-    visit_colours<F>(v, r, g, b);
+    if (!F::kPhong) visit_colours<F>(v, r, g, b);
   }
 };
 
@@ -84,7 +85,7 @@ struct Setup {
   }
 };
 
-// triangle_setup → shade_setup: what the colour planes need, of each triangle that is not empty and of the last. A flat
+// triangle_setup → shade_setup, or phong_setup: what the planes need, of each triangle that is not empty and of the last. A flat
 // triangle needs its colour alone.
 template <class F>
 struct Attributes {
@@ -96,17 +97,21 @@ struct Attributes {
   typename F::Delta dx1, dy1, dx2, dy2;
   typename F::Shift shift;
   typename F::Reciprocal reciprocal;
+  // Phong: which vertex, as given, vertex 0 is; and whether the other two follow it backwards.
+  VertexNumber first;
+  Bit turned;
   typename F::Colour r[3], g[3], b[3];  // flat: at [0]
 
   template <class V>
   void visit(V&& v) {
     v("last", last), v("empty", empty), v("index", index);
-    if (F::kGouraud) {
+    if (F::kShadesPlanes) {
       v("x", x), v("y", y);
       v("dx1", dx1), v("dy1", dy1), v("dx2", dx2), v("dy2", dy2);
       v("shift", shift), v("reciprocal", reciprocal);
     }
-    visit_colours<F>(v, r, g, b);
+    if (F::kPhong) v("first", first), v("turned", turned);
+    else visit_colours<F>(v, r, g, b);
   }
 };
 
@@ -133,6 +138,27 @@ struct Planes {
     if (F::kGouraud) v("g_dx", g_dx), v("g_dy", g_dy);
     v("b", b);
     if (F::kGouraud) v("b_dx", b_dx), v("b_dy", b_dy);
+  }
+};
+
+// phong_setup → TdbS, with F::kPhong: the entry of triangle `index`. A component is 2^p units more than it is, so that it has no
+// sign.
+template <class F>
+struct NormalPlanes {
+  static constexpr const char* kStream = "normal_planes";
+  Bit last;
+  Bit empty;  // nothing to store
+  typename F::Index index;
+  typename F::MaterialNumber material;
+  typename F::NormalPlane start[3];  // x, y, z at the centre of pixel (0, 0) of the frame, ½ included
+  typename F::NormalGradient dx[3], dy[3];
+
+  template <class V>
+  void visit(V&& v) {
+    v("last", last), v("empty", empty), v("index", index), v("material", material);
+    v("x", start[0]), v("x_dx", dx[0]), v("x_dy", dy[0]);
+    v("y", start[1]), v("y_dx", dx[1]), v("y_dy", dy[1]);
+    v("z", start[2]), v("z_dx", dx[2]), v("z_dy", dy[2]);
   }
 };
 
@@ -212,7 +238,7 @@ struct Visible {
   }
 };
 
-// scan_index → shade_gouraud: a stamp of the finished I-buffer, rows downward, stamps to the right.
+// scan_index → shade_gouraud, or shade_phong: a stamp of the finished I-buffer, rows downward, stamps to the right.
 template <class F>
 struct Scan {
   static constexpr const char* kStream = "scan";
@@ -228,7 +254,7 @@ struct Scan {
   }
 };
 
-// shade_gouraud → frame, in the order of scan.
+// The shader → frame, in the order of scan.
 template <class F>
 struct Pixel {
   static constexpr const char* kStream = "pixel";
@@ -278,7 +304,8 @@ struct Material {
   }
 };
 
-// geometry → light_vertex: the normals of a triangle's vertices, of any length; one of length 0 shows the base alone.
+// geometry → light_vertex, or phong_setup: the normals of a triangle's vertices in the order given, of any length; one of length 0
+// shows the base alone.
 template <class F>
 struct Normals {
   static constexpr const char* kStream = "normals";
@@ -291,7 +318,7 @@ struct Normals {
   void visit(V&& v) {
     v("last", last), v("index", index), v("material", material);
     v("x0", x[0]), v("y0", y[0]), v("z0", z[0]);
-    if (F::kGouraud) v("x1", x[1]), v("y1", y[1]), v("z1", z[1]), v("x2", x[2]), v("y2", y[2]), v("z2", z[2]);
+    if (F::kShadesPlanes) v("x1", x[1]), v("y1", y[1]), v("z1", z[1]), v("x2", x[2]), v("y2", y[2]), v("z2", z[2]);
   }
 };
 

@@ -22,6 +22,8 @@ struct OrderedTriangle {
   Triangle<F> vertices;
   typename F::Delta dx1, dy1, dx2, dy2;
   typename F::Area area;  // D
+  VertexNumber first;     // which of those given vertex 0 is
+  Bit turned;             // and whether the others follow it backwards
 };
 
 template <class F>
@@ -44,6 +46,8 @@ OrderedTriangle<F> order_vertices(const Triangle<F>& in) {
   OrderedTriangle<F> out;
   out.vertices.last = in.last;
   out.vertices.index = in.index;
+  out.first = from_raw<VertexNumber>(first);
+  out.turned = from_raw<Bit>(swap);
   const int order[3] = {first, swap ? b : a, swap ? a : b};
 Vertices:
   for (int i = 0; i < 3; ++i) {
@@ -52,10 +56,12 @@ Vertices:
     out.vertices.x[i] = in.x[v];
     out.vertices.y[i] = in.y[v];
     if (F::kHasDepth) out.vertices.depth[i] = in.depth[v];
-    const int colour = F::kGouraud ? v : 0;  // flat: of the vertex that came first
-    out.vertices.r[i] = in.r[colour];
-    out.vertices.g[i] = in.g[colour];
-    out.vertices.b[i] = in.b[colour];
+    if (!F::kPhong) {
+      const int colour = F::kGouraud ? v : 0;  // flat: of the vertex that came first
+      out.vertices.r[i] = in.r[colour];
+      out.vertices.g[i] = in.g[colour];
+      out.vertices.b[i] = in.b[colour];
+    }
   }
   out.dx1 = swap ? dxb : dxa;
   out.dy1 = swap ? dyb : dya;
@@ -159,7 +165,7 @@ void triangle_setup(const Frame<F>& frame, Stream<Triangle<F>>& triangle, Stream
       out.depth_dx = depth.dx;
       out.depth_dy = depth.dy;
     }
-    if (F::kGouraud) {
+    if (F::kShadesPlanes) {
       shade.x = x[0];
       shade.y = y[0];
       shade.dx1 = t.dx1;
@@ -169,8 +175,12 @@ void triangle_setup(const Frame<F>& frame, Stream<Triangle<F>>& triangle, Stream
       shade.shift = inverse.shift;
       shade.reciprocal = inverse.reciprocal;
     }
+    if (F::kPhong) {
+      shade.first = t.first;
+      shade.turned = t.turned;
+    }
   Colours:
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 3 && !F::kPhong; ++i) {
       HS_UNROLL
       shade.r[i] = t.vertices.r[i];
       shade.g[i] = t.vertices.g[i];

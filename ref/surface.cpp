@@ -93,10 +93,7 @@ class PhongSurface : public Surface {
   int light(std::uint32_t) override { return 0; }
   std::array<std::uint8_t, 4> colour(std::uint32_t k, int x, int y, std::uint64_t& lightings, std::uint64_t&) override {
     if (k != k_) set(k);
-    const std::int64_t one = std::int64_t(1) << list_.format.subpixel_bits;
-    const std::int64_t px = x * one + one / 2, py = y * one + one / 2;
-    const std::array<double, 3> weights = vertex_weights(*triangle_, px, py);
-    const glm::dvec3 normal = weights[0] * normals_[0] + weights[1] * normals_[1] + weights[2] * normals_[2];
+    const glm::dvec3 normal = normal_at(*triangle_, normals_, list_.format.subpixel_bits, x, y);
     ++lightings;
     const glm::dvec3 lit = distant_colour(scene_.materials[material_], scene_.lights, normal);
     std::array<std::uint8_t, 4> colour{0, 0, 0, 255};
@@ -176,6 +173,12 @@ std::unique_ptr<Surface> textured_surface(std::unique_ptr<Surface> lit, const Ge
 const char* name_of(ShadingMode mode) {
   constexpr const char* kNames[] = {"flat", "gouraud", "phong"};
   return kNames[int(mode)];
+}
+
+glm::dvec3 normal_at(const OrderedTriangle& triangle, const std::array<glm::dvec3, 3>& normals, int subpixel_bits, int x, int y) {
+  const std::int64_t one = std::int64_t(1) << subpixel_bits;
+  const std::array<double, 3> weights = vertex_weights(triangle, x * one + one / 2, y * one + one / 2);
+  return weights[0] * normals[0] + weights[1] * normals[1] + weights[2] * normals[2];
 }
 
 std::unique_ptr<Surface> given_surface(const SnappedList& list) { return std::make_unique<GivenSurface>(list); }

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "ref/geometry.hpp"
+#include "ref/plane.hpp"
 #include "ref/snap.hpp"
 
 namespace halfspace::ref {
@@ -15,6 +16,9 @@ namespace halfspace::ref {
 enum class ShadingMode { kFlat, kGouraud, kPhong };
 constexpr ShadingMode kShadingModes[] = {ShadingMode::kFlat, ShadingMode::kGouraud, ShadingMode::kPhong};
 const char* name_of(ShadingMode);  // "flat", …
+
+// The normal by planes at the centre of a pixel, of those of the vertices in the order given.
+glm::dvec3 normal_at(const OrderedTriangle& triangle, const std::array<glm::dvec3, 3>& normals, int subpixel_bits, int x, int y);
 
 class Surface {
  public:

@@ -21,7 +21,8 @@ module hs_edge_setup #(
   localparam int unsigned HasDepth = hs_formats_pkg::HasDepth,
   localparam int unsigned Gouraud = hs_formats_pkg::Gouraud,
   localparam int unsigned DepthsBits = HasDepth != 0 ? 3 * hs_formats_pkg::DepthBits : 1,
-  localparam int unsigned ColoursBits = (Gouraud != 0 ? 9 : 3) * hs_formats_pkg::ColourBits
+  localparam int unsigned Phong = hs_formats_pkg::Phong,
+  localparam int unsigned ColoursBits = hs_formats_pkg::TriangleColourBits
 ) (
   input  logic                        clk_i,
   input  logic                        rst_ni,
@@ -62,13 +63,14 @@ module hs_edge_setup #(
   // Order: which vertex is first. Cross: the products of D. Send: D to hs_reciprocal, if there is
   // one. Take: the triangle to the output. Edges: the products of the edge functions.
   typedef enum logic [2:0] {Order, Cross, Send, Take, Edges} state_e;
-  localparam state_e AfterCross = HasDepth != 0 || Gouraud != 0 ? Send : Take;
+  localparam state_e AfterCross = HasDepth != 0 || Gouraud != 0 || Phong != 0 ? Send : Take;
   state_e state_q;
   logic [2:0] step_q;
   logic swap_q, zero_q, outside, negative, zero, take, take_empty, free;
 
   // --- Vertices in order ---
   hs_formats_pkg::triangle_t ordered;
+  logic [2:0] order;
   hs_formats_pkg::coord_t x0, y0, x1, y1, x2, y2;
   hs_formats_pkg::delta_t dx1, dy1, dx2, dy2;
 
@@ -77,7 +79,8 @@ module hs_edge_setup #(
     .look_i    (state_q == Order),
     .swap_i    (swap_q),
     .triangle_i(triangle_i),
-    .ordered_o (ordered)
+    .ordered_o (ordered),
+    .order_o   (order)
   );
 
   // Variables of their own: Yosys 0.23 forgets the sign of a field of a struct.
@@ -243,8 +246,14 @@ module hs_edge_setup #(
   if (Gouraud != 0) begin : gen_gouraud
     assign colours = {ordered.r0, ordered.r1, ordered.r2, ordered.g0, ordered.g1, ordered.g2,
                       ordered.b0, ordered.b1, ordered.b2};
-  end else begin : gen_flat
+  end else if (Phong == 0) begin : gen_flat
     assign colours = {ordered.r, ordered.g, ordered.b};
+  end else begin : gen_phong
+    assign colours = order;
+  end
+  if (Phong == 0) begin : gen_colours
+    logic unused_order;
+    assign unused_order = ^order;
   end
 
   always_comb begin

@@ -11,7 +11,8 @@ module hs_setup_record #(
   localparam int unsigned HasDepth = hs_formats_pkg::HasDepth,
   localparam int unsigned Gouraud = hs_formats_pkg::Gouraud,
   localparam int unsigned DepthsBits = HasDepth != 0 ? 3 * hs_formats_pkg::DepthBits : 1,
-  localparam int unsigned ColoursBits = (Gouraud != 0 ? 9 : 3) * hs_formats_pkg::ColourBits
+  localparam int unsigned Phong = hs_formats_pkg::Phong,
+  localparam int unsigned ColoursBits = hs_formats_pkg::TriangleColourBits
 ) (
   input  logic                        clk_i,
   input  logic                        rst_ni,
@@ -173,7 +174,7 @@ module hs_setup_record #(
   assign attributes_o.empty = setup_q.empty;
   assign attributes_o.index = setup_q.index;
 
-  if (Gouraud != 0) begin : gen_gouraud
+  if (Gouraud != 0 || Phong != 0) begin : gen_shape
     hs_formats_pkg::coord_t x0_q, y0_q;
 
     always_ff @(posedge clk_i) begin
@@ -191,12 +192,18 @@ module hs_setup_record #(
     assign attributes_o.dy2 = dy2_q;
     assign attributes_o.shift = shift_q;
     assign attributes_o.reciprocal = reciprocal_q;
+  end else begin : gen_no_shape
+    logic unused_position;
+    assign unused_position = ^{x0_i, y0_i};
+  end
+
+  if (Gouraud != 0) begin : gen_gouraud
     assign {attributes_o.r0, attributes_o.r1, attributes_o.r2,
             attributes_o.g0, attributes_o.g1, attributes_o.g2,
             attributes_o.b0, attributes_o.b1, attributes_o.b2} = colours_q;
-  end else begin : gen_flat
-    logic unused_position;
-    assign unused_position = ^{x0_i, y0_i};
+  end else if (Phong == 0) begin : gen_flat
     assign {attributes_o.r, attributes_o.g, attributes_o.b} = colours_q;
+  end else begin : gen_phong
+    assign {attributes_o.first, attributes_o.turned} = colours_q;
   end
 endmodule

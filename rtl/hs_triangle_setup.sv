@@ -41,7 +41,8 @@ module hs_triangle_setup #(
   localparam int unsigned HasDepth = hs_formats_pkg::HasDepth;
   localparam int unsigned Gouraud = hs_formats_pkg::Gouraud;
   localparam int unsigned DepthsBits = HasDepth != 0 ? 3 * hs_formats_pkg::DepthBits : 1;
-  localparam int unsigned ColoursBits = (Gouraud != 0 ? 9 : 3) * hs_formats_pkg::ColourBits;
+  localparam int unsigned Phong = hs_formats_pkg::Phong;
+  localparam int unsigned ColoursBits = hs_formats_pkg::TriangleColourBits;
 
   // --- Order, D, box and edges ---
   logic edge_valid, edge_ready;
@@ -82,7 +83,7 @@ module hs_triangle_setup #(
     .colours_o       (colours)
   );
 
-  if (HasDepth != 0 || Gouraud != 0) begin : gen_planes
+  if (HasDepth != 0 || Gouraud != 0 || Phong != 0) begin : gen_planes
     hs_setup_record #(
       .Fraction(hs_formats_pkg::ReciprocalFraction)
     ) u_setup_record (

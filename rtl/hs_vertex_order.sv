@@ -10,7 +10,8 @@ module hs_vertex_order (
   input  logic                      look_i,
   input  logic                      swap_i,
   input  hs_formats_pkg::triangle_t triangle_i,
-  output hs_formats_pkg::triangle_t ordered_o
+  output hs_formats_pkg::triangle_t ordered_o,
+  output logic [2:0]                order_o  // {first: which vertex came to be vertex 0, swap_i}
 );
   localparam int unsigned CoordBits = hs_formats_pkg::CoordBits;
   localparam int unsigned KeyBits = 2 * CoordBits;
@@ -53,6 +54,7 @@ module hs_vertex_order (
     endcase
   end
 
+  assign order_o = {first_q, swap_i};
   assign ordered_o.last = triangle_i.last;
   assign ordered_o.index = triangle_i.index;
   assign {ordered_o.y0, ordered_o.x0} = out0[ValuesBits+:KeyBits];
@@ -75,7 +77,7 @@ module hs_vertex_order (
     assign {ordered_o.r0, ordered_o.g0, ordered_o.b0} = out0[0+:ColoursBits];
     assign {ordered_o.r1, ordered_o.g1, ordered_o.b1} = out1[0+:ColoursBits];
     assign {ordered_o.r2, ordered_o.g2, ordered_o.b2} = out2[0+:ColoursBits];
-  end else begin : gen_flat
+  end else if (hs_formats_pkg::Phong == 0) begin : gen_flat
     assign ordered_o.r = triangle_i.r;
     assign ordered_o.g = triangle_i.g;
     assign ordered_o.b = triangle_i.b;

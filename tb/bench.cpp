@@ -56,9 +56,12 @@ void Bench::reset() {
 }
 
 void Bench::set_frame(const Frame& frame) {
-  if (!model_->find("frame_width_i")) return;  // no unit of this model looks at the registers
-  model_->set("frame_width_i", frame.width);
-  model_->set("frame_height_i", frame.height);
+  // Where no unit of this model looks at a register, there is none.
+  if (model_->find("frame_width_i")) {
+    model_->set("frame_width_i", frame.width);
+    model_->set("frame_height_i", frame.height);
+  }
+  if (!model_->find("background_i")) return;
   const std::uint32_t* const rgb = frame.background;
   const int bits = model_->constant("ColourBits");
   model_->set("background_i", rgb[0] << 2 * bits | rgb[1] << bits | rgb[2]);

@@ -15,19 +15,25 @@ import sys
 TOPS = ["hs_triangle_setup", "hs_shade_setup", "hs_raster_pineda", "hs_ztest_index", "hs_ztest_plane", "hs_scan_index",
         "hs_shade_gouraud", "hs_pipeline"]
 # Units of configurations with lighting alone, and their bench, which gives them the types of the package.
-LIT_TOPS = ["hs_light_vertex"]
+LIT_TOPS = ["hs_light_vertex", "hs_phong_setup", "hs_shade_phong"]
 LIT_BENCH = "hs_light_units"
 LIT_PACKAGE = re.compile(r"\bLights = [1-9]")
+# Of Phong shading there are these units, and no others yet.
+PHONG_BENCH = "hs_phong_units"
+PHONG_PACKAGE = re.compile(r"\bNormalFraction = ")
 CONFIGS = ["low", "middle", "high"]
 STAMPS = [(1, 1), (2, 2), (4, 4)]
 
 
 def lint(args, root, package, top, lanes):
     """What Verilator says, or '' if nothing."""
-    source = (pathlib.Path(__file__).parent if top == LIT_BENCH else root) / f"{top}.sv"
+    bench = pathlib.Path(__file__).parent
+    source = (bench if top in (LIT_BENCH, PHONG_BENCH) else root) / f"{top}.sv"
     text = source.read_text()
     command = [args.verilator, "--lint-only", "-Wall", "--top-module", top,
                str(pathlib.Path(__file__).with_name("lint.vlt")), str(package), str(source), "-y", str(root)]
+    if top == PHONG_BENCH:
+        command += ["-y", str(bench)]
     if re.search(r"\bparameter\b[^,;)]*\bLanesX\b", text):
         command += [f"-GLanesX={lanes[0]}", f"-GLanesY={lanes[1]}"]
     result = subprocess.run(command, capture_output=True, text=True)
@@ -56,31 +62,31 @@ def main():
     args = parser.parse_args()
     root = args.rtl
     packages = args.package or [root / config / "hs_formats_pkg.sv" for config in CONFIGS]
-    faults = runs = 0
+    faults, todo = 0, []
     for top in TOPS:
         if not (root / f"{top}.sv").exists():
             print(f"lint: {root}/{top}.sv is missing")
             faults += 1
             continue
         for package in packages:
-            for lanes in STAMPS:
-                runs += 1
-                if output := lint(args, root, package, top, lanes):
-                    print(f"lint: {top}, {package}, {lanes[0]}x{lanes[1]}:\n{output}")
-                    faults += 1
+            if not PHONG_PACKAGE.search(package.read_text()):
+                todo += [(top, package, lanes) for lanes in STAMPS]
     for package in packages:
-        if LIT_PACKAGE.search(package.read_text()):
-            runs += 1
-            if output := lint(args, root, package, LIT_BENCH, STAMPS[0]):
-                print(f"lint: {LIT_BENCH}, {package}:\n{output}")
-                faults += 1
+        if PHONG_PACKAGE.search(package.read_text()):
+            todo += [(PHONG_BENCH, package, lanes) for lanes in STAMPS]
+        elif LIT_PACKAGE.search(package.read_text()):
+            todo.append((LIT_BENCH, package, STAMPS[0]))
+    for top, package, lanes in todo:
+        if output := lint(args, root, package, top, lanes):
+            print(f"lint: {top}, {package}, {lanes[0]}x{lanes[1]}:\n{output}")
+            faults += 1
     seen = set().union(*(reached(root, top) for top in TOPS + LIT_TOPS))
     for path in sorted(root.glob("hs_*.sv")):
         if path.stem not in seen:
             print(f"lint: no unit uses {path}: remove it, or add its unit to TOPS in tb/lint.py")
             faults += 1
-    print(f"lint: {runs} runs, {len(seen)} files, {faults} faults")
-    return 1 if faults or not runs else 0
+    print(f"lint: {len(todo)} runs, {len(seen)} files, {faults} faults")
+    return 1 if faults or not todo else 0
 
 
 if __name__ == "__main__":

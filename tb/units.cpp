@@ -32,6 +32,8 @@ const Unit kUnits[] = {
     {"scan_index", "scan_index_", {}, {"scan"}, {"update"}, false},  // and a start token a frame: run_scan
     {"shade_gouraud", "shade_gouraud_", {"scan"}, {"pixel"}, {"planes"}, false},
     {"light_vertex", "light_vertex_", {"normals"}, {"colours"}, {"light", "material"}, false},
+    {"phong_setup", "phong_setup_", {"attributes", "normals"}, {"normal_planes"}, {}, false},
+    {"shade_phong", "shade_phong_", {"scan"}, {"pixel"}, {"light", "material", "normal_planes"}, false},
 };
 
 // The units of the configuration that a vector set is of: its streams tell which Z-test it has, and a stream that it has not

@@ -23,7 +23,8 @@ UNNAMED = {
 }
 # With lighting, from files, and how many proofs they have.
 CONFIGS = pathlib.Path(__file__).parent / "configs"
-LIT = {CONFIGS / "lit_low.toml": 13, CONFIGS / "lit_middle.toml": 13, CONFIGS / "lit_high.toml": 13, CONFIGS / "lit_matte.toml": 3}
+LIT = {CONFIGS / "lit_low.toml": 13, CONFIGS / "lit_middle.toml": 13, CONFIGS / "lit_high.toml": 13, CONFIGS / "lit_matte.toml": 3,
+       CONFIGS / "phong_low.toml": 13, CONFIGS / "phong_high.toml": 13}
 # A number that is as small as it can be: mantissa, exponent.
 TIGHT = re.compile(r"in \[(-?\d+(?:b-?\d+)?), (\d+)b(-?\d+)\]")
 

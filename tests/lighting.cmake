@@ -68,3 +68,41 @@ halfspace_lighting_left(lit_low 22 2)
 halfspace_lighting_left(lit_middle 21 2)
 halfspace_lighting_left(lit_high 22 2)
 halfspace_lighting_left(lit_matte 11 1)
+
+# Phong shading: the tops, and its units against the kernels.
+add_library(tops_PhongLow OBJECT EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/hls/top/phong_setup_top.cpp
+  ${PROJECT_SOURCE_DIR}/hls/top/shade_phong_top.cpp)
+set_target_properties(tops_PhongLow PROPERTIES CXX_STANDARD 14)
+add_executable(phong_tops_test EXCLUDE_FROM_ALL phong_tops_test.cpp $<TARGET_OBJECTS:tops_PhongLow>)
+target_link_libraries(phong_tops_test PRIVATE halfspace_vectors GTest::gtest_main)
+foreach(target IN ITEMS tops_PhongLow phong_tops_test)
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_compile_options(${target} PRIVATE -include ${CMAKE_CURRENT_SOURCE_DIR}/lit_configs.hpp)
+  target_compile_definitions(${target} PRIVATE HALFSPACE_TOP_CONFIG=PhongLow)
+  halfspace_warnings(${target})
+endforeach()
+add_dependencies(all_tests phong_tops_test)
+add_test(NAME phong_tops_test COMMAND phong_tops_test --gtest_brief=1)
+foreach(pair IN ITEMS phong_low-1 phong_low-4 phong_high-4 phong_low-16)
+  string(REPLACE "-" ";" pair ${pair})
+  list(GET pair 0 name)
+  list(GET pair 1 lanes)
+  halfspace_cosim_file(${name} ${lanes} phong_units)
+endforeach()
+foreach(pair IN ITEMS phong_low-teapot phong_high-castle phong_high-polyhedron)
+  string(REPLACE "-" ";" pair ${pair})
+  list(GET pair 0 name)
+  list(GET pair 1 scene)
+  add_test(NAME phong_units_${name}_${scene} COMMAND Python3::Interpreter ${cosim_tool} $<TARGET_FILE:halfspace>
+           ${CMAKE_CURRENT_BINARY_DIR}/model_phong_units_${name}_4/bench ${CMAKE_CURRENT_BINARY_DIR}/phong_units_${name}_${scene} ${scene}
+           ${CMAKE_CURRENT_SOURCE_DIR}/configs/${name}.toml 4 --stall 30 --seeds 2 -- --no-corners --size 128x96)
+endforeach()
+add_test(NAME lint_phong COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tb/lint.py --verilator ${HALFSPACE_VERILATOR}
+         --package ${CMAKE_CURRENT_BINARY_DIR}/model_phong_units_phong_low_4/hs_formats_pkg.sv
+         --package ${CMAKE_CURRENT_BINARY_DIR}/model_phong_units_phong_high_4/hs_formats_pkg.sv)
+add_test(NAME faults_phong COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tb/faults/run.py --top hs_phong_units
+  --faults ${PROJECT_SOURCE_DIR}/tb/faults/phong.txt --config ${CMAKE_CURRENT_SOURCE_DIR}/configs/phong_low.toml
+  --package ${CMAKE_CURRENT_BINARY_DIR}/model_phong_units_phong_low_4/hs_formats_pkg.sv --halfspace $<TARGET_FILE:halfspace>
+  --work ${CMAKE_CURRENT_BINARY_DIR}/faults_phong --jobs 2 --library $<TARGET_FILE:halfspace_tb>
+  --library $<TARGET_FILE:halfspace_verilated> --verilator ${HALFSPACE_VERILATOR} --cxx ${CMAKE_CXX_COMPILER})
+set_tests_properties(faults_phong PROPERTIES PROCESSORS 2 TIMEOUT 1800)

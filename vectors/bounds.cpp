@@ -52,7 +52,7 @@ BoundsReport proved_bounds(const Config& config) {
   exact(kCoverage, "raster_pineda", "coverage");
   exact(kZtest, tests_planes(config) ? "ztest_plane" : "ztest_index", has_depth(config) ? "index and depth kept" : "index kept");
   exact(kScan, "scan_index", "index");
-  exact(kColourSteps, "shade_gouraud", is_gouraud(config) ? "colour, from its plane" : "colour, from the triangle");
+  if (!is_phong(config)) exact(kColourSteps, "shade_gouraud", is_gouraud(config) ? "colour, from its plane" : "colour, from the triangle");
   if (has_depth(config)) {
     const PlaneNumbers depth = depth_numbers(config);
     const PlaneBound far = reached(depth, Vertices::kGuardBand), near = reached(depth, Vertices::kFrame);
@@ -70,14 +70,25 @@ BoundsReport proved_bounds(const Config& config) {
     bound(kColourPlaneInFrame, "shade_setup", "… in the frame", "LSB", "shade_gouraud_colour_frame", value(near.in_register));
     bound(kColourRounded, "shade_gouraud", "colour, rounded", "LSB", "shade_gouraud_rounded", value(far.rounded));
   }
+  if (is_phong(config)) {
+    const PlaneNumbers normal = normal_numbers(config);
+    const PlaneBound far = reached(normal, Vertices::kGuardBand), near = reached(normal, Vertices::kFrame);
+    const std::string unit = place(config.normal_bits);
+    bound(kNormalGradient, "phong_setup", "gradient of a normal", place(config.normal_bits + normal.fraction), "phong_setup_product", 0.5);
+    bound(kNormalPlane, "phong_setup", "plane of a normal", unit, "shade_phong_normal", value(far.in_register));
+    bound(kNormalPlaneInFrame, "phong_setup", "… in the frame", unit, "shade_phong_normal_frame", value(near.in_register));
+    exact(kNormalSteps, "shade_phong", "normal, from its plane");
+    bound(kNormalRounded, "shade_phong", "normal, rounded", unit, "shade_phong_rounded", value(far.rounded));
+  }
   if (has_lighting(config)) {
+    const char* const lighting = is_phong(config) ? "shade_phong" : "light_vertex";
     const int u = cosine_fraction(config), squarings = exact_log2(config.gloss);
-    bound(kLightCosine, "light_vertex", "cosine", place(u), "light_cosine", std::ldexp(value(cosine_bound(config)), u));
+    bound(kLightCosine, lighting, "cosine", place(u), "light_cosine", std::ldexp(value(cosine_bound(config)), u));
     if (squarings > 0) {
-      bound(kLightPower, "light_vertex", "largest power of a cosine", place(u), "light_power",
+      bound(kLightPower, lighting, "largest power of a cosine", place(u), "light_power",
             std::ldexp(value(power_bound(config, squarings)), u));
     }
-    bound(kLightSum, "light_vertex", "colour of a white light", "LSB", "light_sum", value(light_bound(config)));
+    bound(kLightSum, lighting, "colour of a white light", "LSB", "light_sum", value(light_bound(config)));
   }
   return report;
 }

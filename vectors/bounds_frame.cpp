@@ -3,6 +3,7 @@
 
 #include "vectors/bounds_measure.hpp"
 #include "vectors/engine.hpp"
+#include "vectors/phong.hpp"
 #include "vectors/standard_set.hpp"
 
 namespace halfspace::vectors {
@@ -99,6 +100,9 @@ void measure_frames(const Configuration& configuration, std::uint64_t seed, Boun
   const auto engine = make_engine(configuration, configuration.config().lanes);
   std::uint64_t number = 0;
   for (const NamedFrame& frame : random_frames(raster_format(configuration), seed, 4, 100)) {
+    if (is_phong(configuration.config())) {
+      engine->light(awkward_normals(frame.scene.triangles.size(), configuration.config(), seed));
+    }
     replay(*engine, frame, ++number, report);
   }
 }

@@ -32,7 +32,9 @@ TriangleMeter::TriangleMeter(const Config& config, BoundsReport& report)
       report_(report),
       probe_(make_kernel_probe(config)),
       depth_{depth_numbers(config), kDepthGradient, kDepthPlane, kDepthPlaneInFrame, kDepthSteps, kDepthRounded},
-      colour_{colour_numbers(config), kColourGradient, kColourPlane, kColourPlaneInFrame, kColourSteps, kColourRounded} {}
+      colour_(is_phong(config)
+                  ? Channel{normal_numbers(config), kNormalGradient, kNormalPlane, kNormalPlaneInFrame, kNormalSteps, kNormalRounded}
+                  : Channel{colour_numbers(config), kColourGradient, kColourPlane, kColourPlaneInFrame, kColourSteps, kColourRounded}) {}
 
 void TriangleMeter::begin(const std::string& class_name, int width, int height) {
   report_.classes.push_back({class_name});
@@ -66,14 +68,18 @@ void TriangleMeter::measure(const ref::SnappedTriangle& triangle) {
     measure_gradients(depth, setup);
     for (const ProbedPixel& p : pixels) measure_pixel(depth, p.depth, p.x, p.y);
   }
-  for (int c = 0; c < 3 && is_gouraud(config_); ++c) {
-    const Attribute colour = {colour_, exact, exact.colour(c), setup.colour[c]};
+  for (int c = 0; c < 3 && shades_planes(config_); ++c) {
+    Values values = exact.colour(c);
+    if (is_phong(config_)) {
+      for (auto& v : values) v = normal_of_colour(config_, int(v));
+    }
+    const Attribute colour = {colour_, exact, values, setup.colour[c]};
     measure_gradients(colour, setup);
     for (const ProbedPixel& p : pixels) measure_pixel(colour, p.colour[c], p.x, p.y);
   }
   for (const ProbedPixel& p : pixels) {
-    if (is_gouraud(config_)) break;
-    if (report_.rows[kColourSteps].count(1, p.colour != triangle.rgb[0])) report_.rows[kColourSteps].where = place(p.x, p.y);
+    if (shades_planes(config_)) break;
+    if (report_.rows[kColourSteps].count(1, !std::equal(p.colour.begin(), p.colour.end(), triangle.rgb[0].begin()))) report_.rows[kColourSteps].where = place(p.x, p.y);
   }
   report_.classes.back().pixels += pixels.size();
 }

@@ -41,6 +41,7 @@ class RuntimeProbe : public KernelProbe {
     triangle_setup(frame_, triangle_, setup_out_, attributes_);
     setup_ = setup_out_.read();
     if (raw(setup_.empty)) return {};
+    if (F::kPhong) return plain(area_reciprocal<F>(order_vertices<F>(t).area), normal_planes(in));
     shade_setup(attributes_, planes_);
     const Planes<F> planes = planes_.read();
     planes_.write(planes);
@@ -62,20 +63,64 @@ class RuntimeProbe : public KernelProbe {
       scan.y = s.y;
       for (int l = 0; l < F::kLanes; ++l) scan.index[l] = from_raw<typename F::Index>(raw(s.mask[l]));
       scan_.write(scan);
+      if (F::kPhong) {
+        scan_.read();
+        push_normals(s, out);
+        continue;
+      }
       shade_gouraud(frame_, scan_, *database_, pixel_);
       const Pixel<F> p = pixel_.read();
       for (int l = 0; l < F::kLanes; ++l) {
         if (!raw(s.mask[l])) continue;
         out.push_back({int(raw(s.x)) * F::kLanesX + l % F::kLanesX, int(raw(s.y)) * F::kLanesY + l / F::kLanesX,
                        std::uint32_t(raw(s.depth[l])),
-                       {std::uint8_t(raw(p.r[l])), std::uint8_t(raw(p.g[l])), std::uint8_t(raw(p.b[l]))}});
+                       {std::uint32_t(raw(p.r[l])), std::uint32_t(raw(p.g[l])), std::uint32_t(raw(p.b[l]))}});
       }
     }
     return out;
   }
 
  private:
+  NormalPlanes<F> normal_planes(const ref::SnappedTriangle& in) {
+    const int offset = 1 << config_.normal_bits;
+    Normals<F> normals{};
+    normals.index = from_raw<typename F::Index>(1);
+    for (int v = 0; v < 3; ++v) {
+      normals.x[v] = from_raw<typename F::Normal>(normal_of_colour(config_, in.rgb[v][0]) - offset);
+      normals.y[v] = from_raw<typename F::Normal>(normal_of_colour(config_, in.rgb[v][1]) - offset);
+      normals.z[v] = from_raw<typename F::Normal>(normal_of_colour(config_, in.rgb[v][2]) - offset);
+    }
+    normals_.write(normals);
+    phong_setup(attributes_, normals_, normal_planes_out_);
+    return normal_planes_ = normal_planes_out_.read();
+  }
+
+  void push_normals(const Stamp<F>& s, std::vector<ProbedPixel>& out) const {
+    const NormalPlanes<F>& n = normal_planes_;
+    for (int l = 0; l < F::kLanes; ++l) {
+      if (!raw(s.mask[l])) continue;
+      const int x = int(raw(s.x)) * F::kLanesX + l % F::kLanesX, y = int(raw(s.y)) * F::kLanesY + l / F::kLanesX;
+      out.push_back({x, y, std::uint32_t(raw(s.depth[l])), {}});
+      for (int c = 0; c < 3; ++c) {
+        const auto component = normal_component<F>(n.start[c], n.dx[c], n.dy[c], x, y);
+        out.back().colour[c] = std::uint32_t(raw(component) + (1 << config_.normal_bits));
+      }
+    }
+  }
+
   ProbedSetup plain(const AreaReciprocal<F>& inverse, const Planes<F>& planes) const {
+    ProbedSetup out = plain(inverse);
+    out.colour[0] = {raw(planes.r), raw(planes.r_dx), raw(planes.r_dy), 0, 0};
+    out.colour[1] = {raw(planes.g), raw(planes.g_dx), raw(planes.g_dy), 0, 0};
+    out.colour[2] = {raw(planes.b), raw(planes.b_dx), raw(planes.b_dy), 0, 0};
+    return out;
+  }
+  ProbedSetup plain(const AreaReciprocal<F>& inverse, const NormalPlanes<F>& planes) const {
+    ProbedSetup out = plain(inverse);
+    for (int c = 0; c < 3; ++c) out.colour[c] = {raw(planes.start[c]), raw(planes.dx[c]), raw(planes.dy[c]), 0, 0};
+    return out;
+  }
+  ProbedSetup plain(const AreaReciprocal<F>& inverse) const {
     ProbedSetup out;
     out.empty = false;
     out.shift = int(raw(inverse.shift));
@@ -87,9 +132,6 @@ class RuntimeProbe : public KernelProbe {
     }
     out.depth = {raw(setup_.depth), raw(setup_.depth_dx), raw(setup_.depth_dy), int(raw(setup_.x_start)) * F::kLanesX,
                  int(raw(setup_.y_min)) * F::kLanesY};
-    out.colour[0] = {raw(planes.r), raw(planes.r_dx), raw(planes.r_dy), 0, 0};
-    out.colour[1] = {raw(planes.g), raw(planes.g_dx), raw(planes.g_dy), 0, 0};
-    out.colour[2] = {raw(planes.b), raw(planes.b_dx), raw(planes.b_dy), 0, 0};
     return out;
   }
 
@@ -102,6 +144,9 @@ class RuntimeProbe : public KernelProbe {
   Stream<Setup<F>> setup_out_;
   Stream<Attributes<F>> attributes_;
   Stream<Planes<F>> planes_;
+  Stream<Normals<F>> normals_;
+  Stream<NormalPlanes<F>> normal_planes_out_;
+  NormalPlanes<F> normal_planes_{};
   Stream<Stamp<F>> stamp_;
   Stream<TriangleDepth<F>> triangle_depth_;
   Stream<Scan<F>> scan_;

@@ -27,15 +27,20 @@ struct ProbedSetup {
   std::uint64_t reciprocal;
   std::array<std::int64_t, 3> e, e_dx, e_dy;  // at the centre of the pixel of depth.x, depth.y
   ProbedPlane depth;
-  std::array<ProbedPlane, 3> colour;
+  std::array<ProbedPlane, 3> colour;  // with Phong shading of normals, which are normal_of_colour() of the colours
 };
 
-// Of raster_pineda and shade_gouraud.
+// Of raster_pineda and the shader.
 struct ProbedPixel {
   int x, y;
   std::uint32_t depth;
-  std::array<std::uint8_t, 3> colour;
+  std::array<std::uint32_t, 3> colour;  // with Phong shading the normal before it is lit, 2^p units added
 };
+
+// A component of a normal, 2^p units added, for a channel of 0 … 2^colour_bits − 1.
+constexpr int normal_of_colour(const Config& config, int colour) {
+  return colour * (((1 << normal_plane_bits(config)) - 1) / ((1 << config.colour_bits) - 1));
+}
 
 class KernelProbe {
  public:

@@ -21,6 +21,10 @@ PlaneNumbers colour_numbers(const Config& config) {
   return {config.colour_bits, config.reciprocal_bits, config.colour_fraction};
 }
 
+PlaneNumbers normal_numbers(const Config& config) {
+  return {normal_plane_bits(config), config.reciprocal_bits, config.normal_fraction};
+}
+
 // A vertex at −2^(range−1) and the last centre, ½ before the far side of the frame, on both axes.
 Dyadic largest_reach(const Config& config, Vertices vertices) {
   const std::int64_t beyond = vertices == Vertices::kGuardBand ? std::int64_t(1) << config.range_bits : 0;

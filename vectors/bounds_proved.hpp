@@ -26,6 +26,8 @@ struct PlaneNumbers {
 };
 PlaneNumbers depth_numbers(const Config& config);
 PlaneNumbers colour_numbers(const Config& config);
+// Of a component of a normal, in units of 2^−p.
+PlaneNumbers normal_numbers(const Config& config);
 
 // Where the vertices of a triangle may lie.
 enum class Vertices { kGuardBand, kFrame };

@@ -37,13 +37,17 @@ const std::vector<ConfigField>& lighting_fields() {
       {"normal_bits", &Config::normal_bits, "p: fraction bits of a component of a normal"},
       {"lights", &Config::lights, "that are built, 1 to 4"},
       {"gloss", &Config::gloss, "largest exponent of a highlight: 1, 2, 4, 8, 16; 0: no highlights"},
-      {"materials", &Config::materials, "a frame"}};
+      {"materials", &Config::materials, "a frame"},
+      {"normal_fraction", &Config::normal_fraction, "g: fraction bits of the gradients of normals; 0 but for \"phong\""}};
   return fields;
 }
 
-const char* const kShadingWhat = "\"gouraud\", or \"flat\": a triangle has the colour of its first vertex";
+const char* const kShadingWhat =
+    "\"gouraud\", \"flat\": a triangle has the colour of its first vertex, or \"phong\": each visible pixel is lit";
 
-const char* shading_name(Shading shading) { return shading == Shading::kFlat ? "flat" : "gouraud"; }
+const char* shading_name(Shading shading) {
+  return shading == Shading::kFlat ? "flat" : shading == Shading::kPhong ? "phong" : "gouraud";
+}
 
 const char* const kArchitectureWhat = "\"delta\": a Z-buffer, or \"gamma\": none, depth is computed again from TdbV";
 
@@ -58,10 +62,12 @@ std::string refusal_text(Refusal refusal) {
     case Refusal::kDepthBits: return "depth_bits is 2 to 32, or 0 for no depth";
     case Refusal::kColourBits: return "colour_bits is 1 to 8";
     case Refusal::kLanes: return "lanes is 1, 2, 4, 8 or 16";
-    case Refusal::kFractionBits: return "reciprocal_bits is 2 to 40, depth_fraction and colour_fraction are 1 to 40";
+    case Refusal::kFractionBits:
+      return "reciprocal_bits is 2 to 40, depth_fraction, colour_fraction and normal_fraction are 1 to 40";
     case Refusal::kIdleBits:
-      return "numbers of what is not there are 0: depth_fraction where depth_bits is 0, colour_fraction where shading is \"flat\", "
-             "reciprocal_bits where both are so";
+      return "numbers of what is not there are 0: depth_fraction where depth_bits is 0, colour_fraction where shading is not \"gouraud\", "
+             "normal_fraction where it is not \"phong\", reciprocal_bits where there is no depth and shading is \"flat\"";
+    case Refusal::kUnlitPhong: return "shading \"phong\" lights the pixels, and there are no lights: raise lights, or shade otherwise";
     case Refusal::kIdleArchitecture:
       return "architecture \"gamma\" computes a depth again, and there is none: raise depth_bits, or leave the architecture out";
     case Refusal::kFrameOutsideRange:
@@ -71,9 +77,11 @@ std::string refusal_text(Refusal refusal) {
       return "the depth planes can be off by half an LSB or more: raise reciprocal_bits or depth_fraction";
     case Refusal::kColourError:
       return "the colour planes can be off by half an LSB or more: raise reciprocal_bits or colour_fraction";
+    case Refusal::kNormalError:
+      return "the planes of normals can be off by half a unit of 2^-normal_bits or more: raise reciprocal_bits or normal_fraction";
     case Refusal::kReciprocalShort:
-      return "a gradient would keep more fraction bits than its reciprocal has: reciprocal_bits is subpixel_bits + the larger of "
-             "depth_fraction and colour_fraction, or more";
+      return "a gradient would keep more fraction bits than its reciprocal has: reciprocal_bits is subpixel_bits + the largest of "
+             "depth_fraction, colour_fraction and normal_fraction, or more";
     case Refusal::kEdgeWord:
       return "an edge function is wider than 64 bits: lower range_bits or subpixel_bits";
     case Refusal::kNumeratorWord:
@@ -81,8 +89,8 @@ std::string refusal_text(Refusal refusal) {
     case Refusal::kGradientWord:
       return "half the product with the reciprocal is wider than 64 bits: lower reciprocal_bits, depth_bits or range_bits";
     case Refusal::kStartWord:
-      return "the start of a plane is wider than 63 bits: lower depth_fraction, colour_fraction or subpixel_bits";
-    case Refusal::kShadeWord: return "a colour gradient times a coordinate is wider than 64 bits: lower colour_fraction";
+      return "the start of a plane is wider than 63 bits: lower depth_fraction, colour_fraction, normal_fraction or subpixel_bits";
+    case Refusal::kShadeWord: return "a gradient of colour or normals times a coordinate is wider than 64 bits: lower its fraction";
     case Refusal::kTestWord:
       return "a depth gradient times a coordinate, which architecture \"gamma\" needs, is wider than 64 bits: lower depth_fraction";
     case Refusal::kNormalBits: return "normal_bits is 9 to 16";
@@ -154,10 +162,10 @@ Configuration parse_configuration(const std::string& text, const std::string& so
     }
     if (field == "shading") {
       const auto value = node.value_exact<std::string>();
-      if (!value || (*value != "gouraud" && *value != "flat")) {
-        throw ref::Error(fmt::format("{}:{}: shading is \"gouraud\" or \"flat\"", source, line));
+      if (!value || (*value != "gouraud" && *value != "flat" && *value != "phong")) {
+        throw ref::Error(fmt::format("{}:{}: shading is \"gouraud\", \"flat\" or \"phong\"", source, line));
       }
-      numbers.shading = *value == "flat" ? Shading::kFlat : Shading::kGouraud;
+      numbers.shading = *value == "flat" ? Shading::kFlat : *value == "phong" ? Shading::kPhong : Shading::kGouraud;
       continue;
     }
     if (field == "architecture") {
@@ -225,7 +233,7 @@ std::string configuration_header(const Configuration& configuration) {
   if (type.empty() || std::isdigit(static_cast<unsigned char>(type[0]))) type = "Configuration" + type;
   const Config c = configuration.config();
   for (const ConfigField& field : config_fields()) numbers += fmt::format(", {}", c.*field.value);
-  numbers += c.shading == Shading::kFlat ? ", Shading::kFlat" : ", Shading::kGouraud";
+  numbers += c.shading == Shading::kFlat ? ", Shading::kFlat" : c.shading == Shading::kPhong ? ", Shading::kPhong" : ", Shading::kGouraud";
   // What stands in Config is not said again.
   if (c.architecture == Architecture::kGamma || has_lighting(c)) {
     numbers += c.architecture == Architecture::kGamma ? ", Architecture::kGamma" : ", Architecture::kDelta";
@@ -252,7 +260,7 @@ std::string configuration_header(const Configuration& configuration) {
 ref::RasterFormat raster_format(const Configuration& configuration) {
   const Config c = configuration.config();
   return {configuration.name(), c.width, c.height, c.triangles, c.range_bits, c.subpixel_bits, c.depth_bits, c.colour_bits,
-          !is_gouraud(c)};
+          c.shading == Shading::kFlat};
 }
 
 }  // namespace halfspace::vectors

@@ -22,7 +22,7 @@ const std::vector<ConfigField>& config_fields();
 // Those of lighting, which a file without it leaves out.
 const std::vector<ConfigField>& lighting_fields();
 
-// "gouraud" or "flat", the field `shading`, and what it means.
+// "gouraud", "flat" or "phong", the field `shading`, and what it means.
 const char* shading_name(Shading);
 extern const char* const kShadingWhat;
 // "delta" or "gamma", the field `architecture`.

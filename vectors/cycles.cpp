@@ -165,7 +165,7 @@ UnitIntervals unit_intervals(const Config& c) {
   // three, which follow each other at once (hs_shade_setup). Flat colours go through.
   constexpr int kChunk = 24;
   const int colours = 3 * (6 * passes(t.delta.width - 1, kChunk) + 2 * passes(t.reciprocal.width, kChunk));
-  return {setup_interval(c), is_gouraud(c) ? colours : 1};
+  return {setup_interval(c), shades_planes(c) ? colours : 1};
 }
 
 Cycles model_cycles(const Config& config, Engine& engine, const ref::SnappedList& scene, const ref::Frame& frame,
@@ -227,7 +227,8 @@ Traffic frame_traffic(const Config& config, Engine& engine, const ref::SnappedLi
   });
   const auto bytes = [](std::uint64_t bits) { return (bits + 7) / 8; };
   const std::uint64_t index = t.index.width, depth = stores_depth(config) ? t.depth.width : 0;
-  const std::uint64_t entry = is_gouraud(config) ? 9 * t.colour_plane.width : 3 * t.colour.width;
+  const std::uint64_t entry = is_gouraud(config) ? 9 * t.colour_plane.width
+                              : is_phong(config) ? 9 * t.normal_plane.width + t.material.width : 3 * t.colour.width;
   Traffic traffic;
   traffic.index_read = bytes((tested + scan.stamps) * lanes * index);
   traffic.index_written = bytes((passed + scan.stamps * lanes) * index);

@@ -13,6 +13,7 @@
 #include "ref/snap.hpp"
 #include "vectors/configuration.hpp"
 #include "vectors/layout.hpp"
+#include "vectors/lighting.hpp"
 
 namespace halfspace::vectors {
 
@@ -25,8 +26,11 @@ class Engine {
 
   virtual int lanes_x() const = 0;
   virtual int lanes_y() const = 0;
-  // In flow order: triangle, setup, attributes, planes, triangle_depth if there is one, stamp, update, visible, scan, pixel.
+  // In flow order: triangle, setup, attributes, planes or normals and normal_planes, triangle_depth if there is one, stamp, update, visible, scan, pixel.
   virtual std::vector<Layout> layouts() const = 0;
+
+  // Phong shading alone, and before a frame is drawn: its lights, its materials, and the normals of its triangles.
+  virtual void light(const LightingFrame& frame) = 0;
 
   // Renders with the kernels. exact_depth and exact_colour stay empty.
   virtual ref::Frame render(const ref::SnappedList& scene) = 0;

@@ -10,6 +10,7 @@
 #include "hls/pipeline.hpp"
 #include "ref/error.hpp"
 #include "vectors/engine.hpp"
+#include "vectors/lighting_records.hpp"
 
 namespace halfspace::vectors {
 
@@ -20,14 +21,21 @@ class KernelEngine : public Engine {
   int lanes_y() const override { return F::kLanesY; }
 
   std::vector<Layout> layouts() const override {
-    std::vector<Layout> layouts = {layout<Triangle<F>>(), layout<Setup<F>>(), layout<Attributes<F>>(),
-                                   layout<Planes<F>>()};
+    std::vector<Layout> layouts = {layout<Triangle<F>>(), layout<Setup<F>>(), layout<Attributes<F>>()};
+    if (F::kPhong) layouts.push_back(layout<Normals<F>>()), layouts.push_back(layout<NormalPlanes<F>>());
+    else layouts.push_back(layout<Planes<F>>());
     if (F::kTestsPlanes) layouts.push_back(layout<TriangleDepth<F>>());
     for (const Layout& next : {layout<Stamp<F>>(), layout<Update<F>>(), layout<Visible<F>>(), layout<Scan<F>>(),
                                layout<Pixel<F>>()}) {
       layouts.push_back(next);
     }
     return layouts;
+  }
+
+  void light(const LightingFrame& frame) override {
+    load_lights<F>(frame, buffers_->lights);
+    load_materials<F>(frame, buffers_->materials);
+    normals_ = frame.triangles;
   }
 
   ref::Frame render(const ref::SnappedList& scene) override {
@@ -63,6 +71,8 @@ class KernelEngine : public Engine {
     std::vector<Setup<F>> setup;
     std::vector<Attributes<F>> attributes;
     std::vector<Planes<F>> planes;
+    std::vector<Normals<F>> normals;
+    std::vector<NormalPlanes<F>> normal_planes;
     std::vector<TriangleDepth<F>> triangle_depth;
     std::vector<Stamp<F>> stamp;
     std::vector<Update<F>> update;
@@ -70,13 +80,15 @@ class KernelEngine : public Engine {
     std::vector<Scan<F>> scan;
     std::vector<Pixel<F>> pixel;
     s.triangle.tap(&triangle), s.setup.tap(&setup), s.attributes.tap(&attributes), s.planes.tap(&planes);
-    s.triangle_depth.tap(&triangle_depth);
+    s.normals.tap(&normals), s.normal_planes.tap(&normal_planes), s.triangle_depth.tap(&triangle_depth);
     s.stamp.tap(&stamp), s.update.tap(&update), s.visible.tap(&visible), s.scan.tap(&scan), s.pixel.tap(&pixel);
     render(scene);
     s.triangle.tap(nullptr), s.setup.tap(nullptr), s.attributes.tap(nullptr), s.planes.tap(nullptr);
-    s.triangle_depth.tap(nullptr);
+    s.normals.tap(nullptr), s.normal_planes.tap(nullptr), s.triangle_depth.tap(nullptr);
     s.stamp.tap(nullptr), s.update.tap(nullptr), s.visible.tap(nullptr), s.scan.tap(nullptr), s.pixel.tap(nullptr);
-    tell(triangle, sink), tell(setup, sink), tell(attributes, sink), tell(planes, sink);
+    tell(triangle, sink), tell(setup, sink), tell(attributes, sink);
+    if (F::kPhong) tell(normals, sink), tell(normal_planes, sink);
+    else tell(planes, sink);
     if (F::kTestsPlanes) tell(triangle_depth, sink);
     tell(stamp, sink), tell(update, sink), tell(visible, sink), tell(scan, sink), tell(pixel, sink);
   }
@@ -117,6 +129,9 @@ class KernelEngine : public Engine {
     if (scene.width > F::kWidth || scene.height > F::kHeight || scene.triangles.size() > std::size_t(F::kTriangles)) {
       throw ref::Error("a frame is larger than the configuration that is to draw it: snap it for that configuration");
     }
+    if (F::kPhong && normals_.size() != scene.triangles.size()) {
+      throw ref::Error("Phong shading lights pixels, and the triangles came without normals: choose shading gouraud or flat");
+    }
     if (visible) visible->resize(scene.triangles.size());
     const Frame<F> registers = frame_registers(scene);
     const std::size_t count = scene.triangles.size();
@@ -136,6 +151,9 @@ class KernelEngine : public Engine {
         }
       }
       streams_->triangle.write(t);
+      if (F::kPhong) {
+        streams_->normals.write(normals_record<F>(k < count ? normals_[k] : RawNormals{}, int(raw(t.index)), k + 1 >= count));
+      }
       pipeline_triangle(registers, *streams_, *buffers_);
       const Visible<F> done = streams_->visible.read();
       if (visible && k < count) (*visible)[k] = raw(done.visible) != 0;
@@ -204,6 +222,7 @@ class KernelEngine : public Engine {
 
   std::unique_ptr<Streams<F>> streams_ = std::make_unique<Streams<F>>();
   std::unique_ptr<Buffers<F>> buffers_ = std::make_unique<Buffers<F>>();
+  std::vector<RawNormals> normals_;  // Phong: of the triangles of the next frames
 };
 
 // make(stamp) for the stamp of this many lanes; null if there is none.

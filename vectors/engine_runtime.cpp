@@ -20,6 +20,10 @@ class RuntimeEngine : public Engine {
     activate();
     return kernels_->layouts();
   }
+  void light(const LightingFrame& frame) override {
+    activate();
+    kernels_->light(frame);
+  }
   ref::Frame render(const ref::SnappedList& scene) override {
     activate();
     return kernels_->render(scene);

@@ -53,7 +53,13 @@ const std::vector<FormatField>& lighting_format_fields() {
       {"projection", &T::projection, "u + 1: n·L of 1 <= |n| < 2, above 0", has_lighting},
       {"cosine", &T::cosine, "u + 1: 0 … 1; an exponent of 16 leaves 2^−4 LSB of its last place", has_lighting},
       {"coefficient", &T::coefficient, "b + 2 + 6: four times full scale, 1/128 LSB of rounding", has_lighting},
-      {"light_sum", &T::light_sum, "base, diffuse, specular of each light, times 1 at most", has_lighting}};
+      {"light_sum", &T::light_sum, "base, diffuse, specular of each light, times 1 at most", has_lighting},
+      {"normal_offset", &T::normal_offset, "b = p + 1: a component plus 2^p units has no sign", is_phong},
+      {"normal_plane", &T::normal_plane, "b + g: modulo 2^b, as the error is below ½", is_phong},
+      {"normal_gradient", &T::normal_gradient, "b + g", is_phong},
+      {"normal_numerator", &T::normal_numerator, "b + c + 1", is_phong},
+      {"normal_start", &T::normal_start, "b + g + f", is_phong},
+      {"normal_start_gradient", &T::normal_start_gradient, "b + f + g", is_phong}};
   return fields;
 }
 

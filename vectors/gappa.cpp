@@ -152,6 +152,7 @@ std::vector<GappaScript> gappa_scripts(const Config& config) {
   };
   if (has_depth(config)) channel("depth", depth_numbers(config), "triangle_setup", "raster_pineda");
   if (is_gouraud(config)) channel("colour", colour_numbers(config), "shade_setup", "shade_gouraud");
+  if (is_phong(config)) channel("normal", normal_numbers(config), "phong_setup", "shade_phong");
   if (has_lighting(config)) {
     scripts.push_back({"light_cosine", light_cosine(config)});
     if (exact_log2(config.gloss) > 0) scripts.push_back({"light_power", light_power(config)});

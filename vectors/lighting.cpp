@@ -200,6 +200,10 @@ LightingFrame quantized_lighting(const ref::DistantScene& scene, const Config& c
   return frame;
 }
 
+std::array<int, 3> quantized_normal(const glm::dvec3& normal, const Config& config) {
+  return quantized(normal, format_table(config).normal);
+}
+
 std::vector<LightingFrame> lighting_frames(const Config& config, std::uint64_t seed) {
   return Frames(config, seed).take();
 }

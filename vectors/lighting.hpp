@@ -48,6 +48,9 @@ int most_squarings(const Config& config);
 // full scale are those four times.
 LightingFrame quantized_lighting(const ref::DistantScene& scene, const Config& config);
 
+// To the nearest that the configuration has.
+std::array<int, 3> quantized_normal(const glm::dvec3& normal, const Config& config);
+
 // Annotated corner cases, then random frames.
 std::vector<LightingFrame> lighting_frames(const Config& config, std::uint64_t seed);
 
@@ -56,7 +59,7 @@ class LightingEngine {
  public:
   virtual ~LightingEngine() = default;
 
-  // light, material, normals, colours.
+  // light, material, normals, colours; with Phong shading, where pixels are lit, the first two.
   virtual std::vector<Layout> layouts() const = 0;
   // The words of each stream of a frame, in this order.
   virtual void capture(const LightingFrame& frame,

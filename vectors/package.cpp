@@ -83,6 +83,7 @@ std::string lighting_text(const Config& c) {
                                      {"MaterialWordBits", layouts[1].bits},
                                      {"LightSumBits", t.light_sum.width},
                                      {"LightSumFraction", t.light_sum.width - t.light_sum.integer}});
+  if (is_phong(c)) text += constants_text({{"NormalFraction", c.normal_fraction}, {"NormalPlaneBits", t.normal_plane.width}});
   text += "\n" + root_table_text() + "\n";
   for (const Layout& layout : layouts) text += record(layout);
   return text;
@@ -96,10 +97,13 @@ std::string formats_package(const Configuration& configuration) {
   // What is not there has no bits and no type.
   const bool depth = has_depth(c), gouraud = is_gouraud(c), planes = has_planes(c);
   const auto bits = [](bool there, const NumberFormat& format) { return there ? format.width : 0; };
+  // Colours of a triangle, or with Phong shading in their place {which vertex is first: 2 bits, turned}.
+  const int triangle_colours = is_phong(c) ? 3 : (gouraud ? 9 : 3) * t.colour.width;
   const std::vector<std::pair<const char*, int>> constants = {
       {"HasDepth", depth},
       {"StoresDepth", stores_depth(c)},
       {"Gouraud", gouraud},
+      {"Phong", is_phong(c)},
       {"MaxWidth", c.width},
       {"MaxHeight", c.height},
       {"Triangles", c.triangles},
@@ -120,6 +124,7 @@ std::string formats_package(const Configuration& configuration) {
       {"DepthFraction", c.depth_fraction},
       {"DepthPlaneBits", bits(depth, t.depth_plane)},
       {"ColourBits", t.colour.width},
+      {"TriangleColourBits", triangle_colours},
       {"ColourFraction", c.colour_fraction},
       {"ColourPlaneBits", t.colour_plane.width}};  // flat: the colour's
   struct Type {

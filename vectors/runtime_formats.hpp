@@ -124,7 +124,8 @@ struct RuntimeFormats {
   static inline thread_local int kWidth, kHeight, kStampsX, kStampsY, kStamps, kTriangles, kSubpixelBits,
       kReciprocalFraction, kAreaBits, kDepthBits, kColourBits, kLights, kMaterials, kSquarings;
   using CompilesPlaneTest = std::true_type;
-  static inline thread_local bool kHasDepth, kGouraud, kHasPlanes, kStoresDepth, kTestsPlanes, kHasLighting, kHasGloss;
+  using CompilesPhong = std::true_type;
+  static inline thread_local bool kHasDepth, kGouraud, kPhong, kShadesPlanes, kHasPlanes, kStoresDepth, kTestsPlanes, kHasLighting, kHasGloss;
 
   static void activate(const Config& c, const FormatTable& table) {
     runtime_table = table;
@@ -137,6 +138,7 @@ struct RuntimeFormats {
     kAreaBits = table.area.width;
     kDepthBits = c.depth_bits, kColourBits = c.colour_bits;
     kHasDepth = has_depth(c), kGouraud = is_gouraud(c), kHasPlanes = has_planes(c);
+    kPhong = is_phong(c), kShadesPlanes = shades_planes(c);
     kStoresDepth = stores_depth(c), kTestsPlanes = tests_planes(c);
     kHasLighting = has_lighting(c), kHasGloss = has_gloss(c);
     kLights = c.lights, kMaterials = c.materials, kSquarings = exact_log2(c.gloss);
@@ -172,6 +174,16 @@ struct RuntimeFormats {
   using Cosine = RuntimeFixed<&FormatTable::cosine, false>;
   using Coefficient = RuntimeFixed<&FormatTable::coefficient, false>;
   using LightSum = RuntimeFixed<&FormatTable::light_sum, false>;
+  using NormalPlane = RuntimeFixed<&FormatTable::normal_plane, false>;
+  using NormalGradient = RuntimeFixed<&FormatTable::normal_gradient, true>;
+  struct NormalChannel {
+    using Value = RuntimeFixed<&FormatTable::normal_offset, false>;
+    using PlaneValue = RuntimeFormats::NormalPlane;
+    using Gradient = RuntimeFormats::NormalGradient;
+    using Numerator = RuntimeFixed<&FormatTable::normal_numerator, true>;
+    using Start = RuntimeFixed<&FormatTable::normal_start, true>;
+    using StartGradient = RuntimeFixed<&FormatTable::normal_start_gradient, true>;
+  };
   struct DepthChannel {
     using Value = RuntimeFormats::Depth;
     using PlaneValue = RuntimeFormats::DepthPlane;
@@ -225,7 +237,12 @@ class RuntimeEntries {
 template <class S>
 struct ShadingDatabase<RuntimeFormats<S>> {
   using F = RuntimeFormats<S>;
-  RuntimeEntries<Planes<F>> planes{F::kTriangles};
+  RuntimeEntries<Planes<F>> planes{F::kPhong ? 1 : F::kTriangles};
+};
+template <class S>
+struct NormalDatabase<RuntimeFormats<S>> {
+  using F = RuntimeFormats<S>;
+  RuntimeEntries<NormalPlanes<F>> planes{F::kPhong ? F::kTriangles : 1};
 };
 template <class S>
 struct VisibilityDatabase<RuntimeFormats<S>> {

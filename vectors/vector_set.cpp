@@ -30,14 +30,14 @@ const std::map<std::string, Ends> kEnds = {
     {"visible", {"ztest_index", "geometry", ""}},          {"scan", {"scan_index", "shade_gouraud", ""}},
     {"pixel", {"shade_gouraud", "frame", "scan"}},         {"light", {"host", "light_vertex", ""}},
     {"material", {"host", "light_vertex", ""}},           {"normals", {"geometry", "light_vertex", ""}},
-    {"colours", {"light_vertex", "shade_setup", ""}},
+    {"colours", {"light_vertex", "shade_setup", ""}},     {"normal_planes", {"phong_setup", "tdbs", ""}},
 };
 
 // A .hex file and the digest of its text.
 class HexFile {
  public:
-  HexFile(const std::string& path, const Layout& layout, bool tests_planes)
-      : path_(path), layout_(layout), tests_planes_(tests_planes), file_(path, std::ios::binary) {
+  HexFile(const std::string& path, const Layout& layout, const Config& config)
+      : path_(path), layout_(layout), config_(config), file_(path, std::ios::binary) {
     EVP_DigestInit_ex(digest_.get(), EVP_sha256(), nullptr);
   }
 
@@ -75,8 +75,15 @@ class HexFile {
                         {"fraction", field.fraction}});
     }
     Ends ends = kEnds.at(layout_.stream);
-    if (tests_planes_) {
-      for (const char** end : {&ends.from, &ends.to}) *end = std::strcmp(*end, "ztest_index") ? *end : "ztest_plane";
+    // Units that stand where others do in kEnds.
+    auto replace = [&](const char* unit, const char* by) {
+      for (const char** end : {&ends.from, &ends.to}) *end = std::strcmp(*end, unit) ? *end : by;
+    };
+    if (tests_planes(config_)) replace("ztest_index", "ztest_plane");
+    if (is_phong(config_)) {
+      replace("shade_setup", "phong_setup"), replace("shade_gouraud", "shade_phong");
+      const bool of_frame = layout_.stream == "light" || layout_.stream == "material";
+      replace("light_vertex", of_frame ? "shade_phong" : "phong_setup");
     }
     return {{"name", layout_.stream}, {"from", ends.from},  {"to", ends.to},
             {"file", layout_.stream + ".hex"}, {"bits", layout_.bits}, {"words", total},
@@ -92,7 +99,7 @@ class HexFile {
 
   std::string path_;
   Layout layout_;
-  bool tests_planes_;  // ztest_plane stands where ztest_index does in kEnds
+  Config config_;
   std::ofstream file_;
   std::unique_ptr<EVP_MD_CTX, void (*)(EVP_MD_CTX*)> digest_{EVP_MD_CTX_new(), EVP_MD_CTX_free};
   std::vector<std::size_t> frame_words_;
@@ -114,7 +121,7 @@ std::string write_vector_set(const std::string& folder, const VectorSetOptions& 
   StagedFolder staged(folder);
   std::map<std::string, HexFile> files;
   for (const Layout& layout : layouts) {
-    files.emplace(layout.stream, HexFile(staged.path(layout.stream + ".hex"), layout, tests_planes(configuration.config())));
+    files.emplace(layout.stream, HexFile(staged.path(layout.stream + ".hex"), layout, configuration.config()));
     files.at(layout.stream).comment(fmt::format("{} {} lanes {}: {} bits a word", layout.stream, configuration.name(),
                                                 options.lanes, layout.bits));
   }
@@ -128,6 +135,7 @@ std::string write_vector_set(const std::string& folder, const VectorSetOptions& 
     const WordSink sink = [&](const Layout& layout, const Word* words, std::size_t count) {
       files.at(layout.stream).words(words, count);
     };
+    if (is_phong(configuration.config())) engine->light(frames[n].lighting);
     engine->capture(scene, sink);
     if (lighting) lighting->capture(frames[n].lighting, sink);
     frame_list.push_back({{"width", scene.width},

@@ -6,6 +6,7 @@ package hs_formats_pkg;
   localparam int unsigned HasDepth = 1;
   localparam int unsigned StoresDepth = 1;
   localparam int unsigned Gouraud = 1;
+  localparam int unsigned Phong = 0;
   localparam int unsigned MaxWidth = 320;
   localparam int unsigned MaxHeight = 200;
   localparam int unsigned Triangles = 4096;
@@ -26,6 +27,7 @@ package hs_formats_pkg;
   localparam int unsigned DepthFraction = 13;
   localparam int unsigned DepthPlaneBits = 29;
   localparam int unsigned ColourBits = 8;
+  localparam int unsigned TriangleColourBits = 72;
   localparam int unsigned ColourFraction = 14;
   localparam int unsigned ColourPlaneBits = 22;
 

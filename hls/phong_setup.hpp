@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// The planes of the components of a normal over a triangle, for TdbS. Normals of triangles that have no attributes, as they are
+// empty, are dropped; of the others both come, in one order.
+//
+// A component goes through plane_setup with 2^p units added, so that it is unsigned as depths and colours are, and so are the
+// proofs of its widths and bounds: in bits, its top bit inverted. The shader inverts it again.
+// Interval of the RTL: that of shade_setup.
+#ifndef HALFSPACE_HLS_PHONG_SETUP_HPP_
+#define HALFSPACE_HLS_PHONG_SETUP_HPP_
+
+#include "plane.hpp"
+
+namespace halfspace {
+
+template <class F>
+typename F::NormalChannel::Value offset_component(const typename F::Normal& n) {
+  return from_raw<typename F::NormalChannel::Value>(raw(n) + (std::int64_t(1) << F::Normal::fraction()));
+}
+
+template <class F>
+void phong_setup(Stream<Attributes<F>>& attributes, Stream<Normals<F>>& normals, Stream<NormalPlanes<F>>& planes) {
+  using Coord = typename F::Coord;
+  const Attributes<F> in = attributes.read();
+  Normals<F> given = normals.read();
+Drop:
+  while (raw(given.index) != raw(in.index)) given = normals.read();
+
+  NormalPlanes<F> out{};
+  out.last = in.last;
+  out.empty = in.empty;
+  out.index = in.index;
+  if (!raw(in.empty)) {
+    out.material = given.material;
+    const Coord centre = from_raw<Coord>(1 << (F::kSubpixelBits - 1));  // of pixel 0
+    PlaneBase<F> base;
+    base.dx1 = in.dx1;
+    base.dy1 = in.dy1;
+    base.dx2 = in.dx2;
+    base.dy2 = in.dy2;
+    base.inverse.shift = in.shift;
+    base.inverse.reciprocal = in.reciprocal;
+    base.dx = centre - in.x;
+    base.dy = centre - in.y;
+    const int from[5] = {0, 1, 2, 0, 1};
+    const int v0 = int(raw(in.first)), step = raw(in.turned) ? 2 : 1;
+    const int v1 = from[v0 + step], v2 = from[v0 + 3 - step];
+    const typename F::Normal* const component[3] = {given.x, given.y, given.z};
+  Components:
+    for (int i = 0; i < 3; ++i) {
+      const auto plane = plane_setup<F, typename F::NormalChannel>(base, offset_component<F>(component[i][v0]),
+                                                                   offset_component<F>(component[i][v1]),
+                                                                   offset_component<F>(component[i][v2]));
+      out.start[i] = plane.start;
+      out.dx[i] = plane.dx;
+      out.dy[i] = plane.dy;
+    }
+  }
+  planes.write(out);
+}
+
+}  // namespace halfspace
+
+#endif  // HALFSPACE_HLS_PHONG_SETUP_HPP_

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: Apache-2.0
+// Phong shading at scan-out: planes of normals against exact ones, pictures against the reference and its bound.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "ref/architecture.hpp"
+#include "ref/error.hpp"
+#include "ref/scene.hpp"
+#include "ref/surface.hpp"
+#include "tests/lit_configs.hpp"
+#include "vectors/engine_impl.hpp"
+#include "vectors/format_fields.hpp"
+#include "vectors/phong.hpp"
+#include "vectors/phong_bounds.hpp"
+#include "vectors/standard_set.hpp"
+
+namespace halfspace::tests {
+namespace {
+
+using ref::Wide;
+
+vectors::Configuration configuration_of(const Config& config) { return vectors::Configuration(config.name, config); }
+
+std::vector<vectors::NamedFrame> frames_of(const Config& config) {
+  const ref::RasterFormat format = vectors::raster_format(configuration_of(config));
+  std::vector<vectors::NamedFrame> frames = vectors::corner_frames(format);
+  for (auto& frame : vectors::random_frames(format, 3, 6, 60)) frames.push_back(std::move(frame));
+  for (std::size_t n = 0; n < frames.size(); ++n) {
+    frames[n].lighting = vectors::awkward_normals(frames[n].scene.triangles.size(), config, n);
+  }
+  return frames;
+}
+
+// Planes of normals at every pixel that a triangle covers, against exact ones of the same integers.
+template <class C>
+void expect_planes_within_bound() {
+  using F = Formats<C, Stamp1>;
+  const Config config = C::config();
+  const int f = config.subpixel_bits, g = config.normal_fraction;
+  std::uint64_t compared = 0;
+  double share = 0, largest = 0;
+  int turned = 0, first = 0;
+  for (const vectors::NamedFrame& frame : frames_of(config)) {
+    Frame<F> registers{};
+    registers.width = from_raw<typename F::X>(frame.scene.width);
+    registers.height = from_raw<typename F::Y>(frame.scene.height);
+    for (std::size_t k = 0; k < frame.scene.triangles.size(); ++k) {
+      const ref::SnappedTriangle& in = frame.scene.triangles[k];
+      const vectors::RawNormals& given = frame.lighting.triangles[k];
+      Stream<Triangle<F>> triangle;
+      Stream<Setup<F>> setup;
+      Stream<Attributes<F>> attributes;
+      Stream<Normals<F>> normals;
+      Stream<NormalPlanes<F>> planes;
+      Triangle<F> t{};
+      t.index = from_raw<typename F::Index>(k + 1);
+      for (int v = 0; v < 3; ++v) {
+        t.x[v] = from_raw<typename F::Coord>(in.x[v]);
+        t.y[v] = from_raw<typename F::Coord>(in.y[v]);
+      }
+      triangle.write(t);
+      triangle_setup(registers, triangle, setup, attributes);
+      if (attributes.empty()) continue;
+      normals.write(vectors::normals_record<F>(given, 0, false));  // of an empty triangle, to be dropped
+      normals.write(vectors::normals_record<F>(given, int(k) + 1, false));
+      phong_setup(attributes, normals, planes);
+      const NormalPlanes<F> got = planes.read();
+      const ref::OrderedTriangle exact(in);
+      turned += exact.vertex[1] != (exact.vertex[0] + 1) % 3;
+      first += in.y[0] > std::min(in.y[1], in.y[2]);
+      const int one = 1 << f;
+      auto [left, right] = std::minmax({in.x[0], in.x[1], in.x[2]});
+      auto [top, bottom] = std::minmax({in.y[0], in.y[1], in.y[2]});
+      const int x0 = std::max(left / one - 1, 0), x1 = std::min(right / one + 1, frame.scene.width - 1);
+      const int y0 = std::max(top / one - 1, 0), y1 = std::min(bottom / one + 1, frame.scene.height - 1);
+      const int step = std::max(1, (x1 - x0) / 40);
+      for (int y = y0; y <= y1; y += std::max(1, (y1 - y0) / 40)) {
+        for (int x = x0; x <= x1; x += step) {
+          const std::int64_t px = std::int64_t(x) * one + one / 2, py = std::int64_t(y) * one + one / 2;
+          std::int64_t weight[3];
+          bool inside = true;
+          for (int i = 0; i < 3; ++i) {
+            const int a = (i + 1) % 3, b = (i + 2) % 3;
+            weight[i] = (exact.x[b] - exact.x[a]) * (py - exact.y[a]) - (exact.y[b] - exact.y[a]) * (px - exact.x[a]);
+            inside = inside && weight[i] >= 0;
+          }
+          if (!inside) continue;
+          double distance = 0;  // from any vertex: which one the kernels start from is theirs
+          for (int v = 0; v < 3; ++v) {
+            distance = std::max(distance, double(std::llabs(px - in.x[v]) + std::llabs(py - in.y[v])) / one);
+          }
+          const double bound = vectors::normal_plane_bound(config, distance);
+          for (int c = 0; c < 3; ++c) {
+            Wide sum = 0;
+            for (int i = 0; i < 3; ++i) sum += Wide(weight[i]) * given.normals[exact.vertex[i]][c];
+            const long double want = (long double)sum / exact.area;
+            // The plane before rounding, without its ½ and its offset.
+            const std::uint64_t bits = std::uint64_t(raw(got.start[c])) + std::uint64_t(std::int64_t(raw(got.dx[c]))) * x +
+                                       std::uint64_t(std::int64_t(raw(got.dy[c]))) * y;
+            const int width = F::NormalPlane::width();
+            const long double plane =
+                (long double)(bits & ((std::uint64_t(1) << width) - 1)) / (1 << g) - 0.5L - (1 << config.normal_bits);
+            const double error = double(std::abs(plane - want));
+            ASSERT_LE(error, bound) << frame.note << ", triangle " << k + 1 << ", pixel " << x << ", " << y;
+            largest = std::max(largest, error), share = std::max(share, error / bound);
+            const auto rounded = normal_component<F>(got.start[c], got.dx[c], got.dy[c], x, y);
+            ASSERT_EQ(std::int64_t(raw(rounded)), std::int64_t(std::floor(plane + 0.5L))) << frame.note;
+            ++compared;
+          }
+        }
+      }
+    }
+  }
+  std::printf("%-10s %llu components: largest error %.4f units of 2^-p, %.3f of the bound\n", config.name,
+              static_cast<unsigned long long>(compared), largest, share);
+  EXPECT_GT(compared, 10000u);
+  EXPECT_GT(share, 0.5) << "the frames are blind, or the bound is loose";
+  EXPECT_GT(turned, 100);
+  EXPECT_GT(first, 100);
+}
+TEST(NormalPlanes, AreWithinTheBound) {
+  expect_planes_within_bound<PhongLow>();
+  expect_planes_within_bound<PhongHigh>();
+}
+
+// All stamps draw the same picture, and formats read at run time draw that of compiled ones.
+TEST(PhongShading, IsTheSameWithAllStampsAndCompiled) {
+  const Config config = PhongLow::config();
+  vectors::KernelEngine<Formats<PhongLow, Stamp4>> compiled;
+  std::uint64_t lit = 0;
+  for (const vectors::NamedFrame& frame : frames_of(config)) {
+    compiled.light(frame.lighting);
+    const ref::Frame want = compiled.render(frame.scene);
+    for (const int lanes : {1, 2, 4, 8, 16}) {
+      const auto engine = vectors::make_engine(configuration_of(config), lanes);
+      engine->light(frame.lighting);
+      ASSERT_EQ(engine->render(frame.scene).colour, want.colour) << frame.note << ", " << lanes << " lanes";
+    }
+    for (const std::uint32_t index : want.index) lit += index != 0;
+  }
+  EXPECT_GT(lit, 10000u);
+}
+
+struct SceneResult {
+  std::uint64_t pixels = 0, differ = 0, jumps = 0;
+  double largest = 0, share = 0, bound = 0, shortest = 2;
+};
+
+// A scene in the kernels, against the exact formula with its bound, and against the reference's picture.
+SceneResult compare_scene(const std::string& name, bool polished, const Config& config, int width, int height, int within) {
+  ref::Scene scene = ref::load_scene(name);
+  if (polished) {
+    for (ref::Material& material : scene.materials) material.specular = {0.9, 0.7, 1}, material.shininess = 14;
+    for (const glm::dvec3& way : {glm::dvec3(-1, -1, -1), {1, -2, 0}, {0.3, 0.2, -1}, {-1, 0, 0.5}}) {
+      if (int(scene.lights.size()) == config.lights) break;
+      scene.lights.push_back({});
+      scene.lights.back().direction = glm::normalize(way);
+      scene.lights.back().colour = {0.15, 0.2, 0.17};
+    }
+  }
+  const vectors::Configuration configuration = configuration_of(config);
+  ref::Geometry geometry(scene, {width, height, config.range_bits, config.subpixel_bits});
+  const ref::SnappedList list = ref::snap(geometry.positions(), vectors::raster_format(configuration));
+  const auto engine = vectors::make_engine(configuration, 4);
+  engine->light(vectors::phong_lighting(geometry, config));
+  const ref::Frame got = engine->render(list);
+  const auto surface = ref::lit_surface(geometry, list, ref::ShadingMode::kPhong);
+  const ref::Drawing want = ref::draw(list, *surface, ref::Architecture::kDelta);
+  const ref::DistantScene distant = ref::distant_scene(scene, geometry.viewpoint(), vectors::most_squarings(config));
+
+  SceneResult result;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const std::size_t at = std::size_t(y) * width + x;
+      const std::uint32_t k = got.index[at];
+      if (k == 0 || k != want.triangle[at]) continue;
+      ++result.pixels;
+      const ref::SnappedTriangle& triangle = list.triangles[k - 1];
+      const glm::dvec3 n = ref::normal_at(ref::OrderedTriangle(triangle), geometry.normals(k - 1), config.subpixel_bits, x, y);
+      const int material = distant.triangles[distant.of_face[geometry.positions().face[k - 1] - 1]].material;
+      const glm::dvec3 exact = ref::distant_colour(distant.materials[std::size_t(material)], distant.lights, n);
+      double distance = 0;
+      for (int v = 0; v < 3; ++v) {
+        distance = std::max(distance, std::ldexp(std::abs(double(triangle.x[v])) + std::abs(double(triangle.y[v])),
+                                                 -config.subpixel_bits) + x + y + 1);
+      }
+      result.shortest = std::min(result.shortest, glm::length(n));
+      for (int c = 0; c < 3; ++c) {
+        const vectors::PhongBound bound = vectors::phong_bound(distant, material, n, c, distance, config);
+        const double error = std::abs(double(got.colour[at][c]) - exact[c]), most = 0.5 + bound.error + bound.jump;
+        EXPECT_LE(error, most) << name << ", pixel " << x << ", " << y << ", channel " << c;
+        EXPECT_LE(std::abs(int(got.colour[at][c]) - int(want.colour[at][c])), within)
+            << name << ", pixel " << x << ", " << y << ", channel " << c << ", bound " << bound.error << " and " << bound.jump;
+        result.differ += got.colour[at][c] != want.colour[at][c];
+        result.jumps += bound.jump > 0;
+        result.largest = std::max(result.largest, error - 0.5);
+        result.bound = std::max(result.bound, bound.error);
+        if (bound.jump == 0) result.share = std::max(result.share, (error - 0.5) / bound.error);
+      }
+      if (testing::Test::HasFailure()) return result;
+    }
+  }
+  std::printf("%-10s %-9s %8llu pixels: %.3f LSB beyond the rounding (bound %.3f; %.2f of a pixel's), %llu channels differ, "
+              "%llu at a jump, shortest normal %.3f\n",
+              config.name, name.c_str(), static_cast<unsigned long long>(result.pixels), result.largest, result.bound, result.share,
+              static_cast<unsigned long long>(result.differ), static_cast<unsigned long long>(result.jumps), result.shortest);
+  EXPECT_GT(result.pixels, 1000u) << name;
+  return result;
+}
+
+TEST(PhongScenes, AreWithinOneOfTheReferenceInHigh) {
+  for (const std::string& name : ref::builtin_scene_names()) compare_scene(name, false, PhongHigh::config(), 640, 480, 1);
+}
+TEST(PhongScenes, AndPolishedUnderFourLights) {
+  for (const std::string& name : ref::builtin_scene_names()) compare_scene(name, true, PhongHigh::config(), 640, 480, 1);
+}
+TEST(PhongScenes, KeepTheirBoundInLow) {
+  compare_scene("teapot", false, PhongLow::config(), 320, 200, 255);
+}
+
+TEST(PhongConfigurations, FilesAndHeadersAgree) {
+  for (const Config& config : {PhongLow::config(), PhongHigh::config()}) {
+    const std::string path = std::string(HALFSPACE_SOURCE "/tests/configs/") + config.name + ".toml";
+    EXPECT_EQ(vectors::configuration_toml(vectors::find_configuration(path)), vectors::configuration_toml(configuration_of(config)));
+  }
+}
+
+TEST(PhongConfigurations, AreRefusedWithAReason) {
+  auto refusal_of = [](auto change) {
+    Config config = PhongHigh::config();
+    change(config);
+    try {
+      configuration_of(config);
+    } catch (const ref::Error& e) {
+      return std::string(e.what());
+    }
+    return std::string("accepted");
+  };
+  EXPECT_EQ(refusal_of([](Config&) {}), "accepted");
+  EXPECT_NE(refusal_of([](Config& c) { c.lights = 0; }).find("there are no lights"), std::string::npos);
+  EXPECT_NE(refusal_of([](Config& c) { c.normal_fraction = 0; }).find("normal_fraction are 1 to 40"), std::string::npos);
+  EXPECT_NE(refusal_of([](Config& c) { c.normal_fraction = 14; }).find("planes of normals can be off"), std::string::npos);
+  EXPECT_NE(refusal_of([](Config& c) { c.normal_fraction = 21; }).find("more fraction bits than its reciprocal"), std::string::npos);
+  EXPECT_NE(refusal_of([](Config& c) { c.colour_fraction = 18; }).find("colour_fraction where shading is not"), std::string::npos);
+  EXPECT_NE(refusal_of([](Config& c) { c.shading = Shading::kGouraud, c.colour_fraction = 18; }).find("normal_fraction where"),
+            std::string::npos);
+  EXPECT_NE(refusal_of([](Config& c) { c.normal_bits = 17; }).find("normal_bits is 9 to 16"), std::string::npos);
+}
+
+// With the top bit of a width taken away the planes or the picture change.
+TEST(PhongFormats, NoWidthIsABitTooWide) {
+  for (const Config& config : {PhongLow::config(), PhongHigh::config()}) {
+    const auto frames = frames_of(config);
+    auto words_of = [&](vectors::Engine& engine, const vectors::NamedFrame& frame) {
+      std::vector<vectors::Word> all;
+      engine.light(frame.lighting);
+      engine.capture(frame.scene, [&](const vectors::Layout& layout, const vectors::Word* words, std::size_t count) {
+        if (layout.stream == "pixel" || layout.stream == "visible") all.insert(all.end(), words, words + count);
+      });
+      return all;
+    };
+    const auto right = vectors::make_engine(configuration_of(config), 1);
+    for (const vectors::FormatField& field : vectors::lighting_format_fields()) {
+      if (std::string(field.name).rfind("normal_", 0) != 0) continue;
+      FormatTable table = format_table(config);
+      NumberFormat& format = table.*field.format;
+      --format.width, --format.integer;
+      const auto narrower = vectors::make_runtime_engine(config, table, 1);
+      bool differs = false;
+      for (std::size_t n = 0; n < frames.size() && !differs; ++n) {
+        differs = words_of(*narrower, frames[n]) != words_of(*right, frames[n]);
+      }
+      EXPECT_TRUE(differs) << field.name << " of " << config.name << " can do with " << format.width << " bits";
+    }
+  }
+}
+
+TEST(PhongShading, RefusesFramesWithoutNormals) {
+  const Config config = PhongLow::config();
+  const auto frames = vectors::random_frames(vectors::raster_format(configuration_of(config)), 1, 1, 5);
+  EXPECT_THROW(vectors::make_engine(configuration_of(config), 1)->render(frames[0].scene), ref::Error);
+}
+
+}  // namespace
+}  // namespace halfspace::tests

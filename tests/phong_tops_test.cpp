@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// The top functions of Phong shading, fields as plain integers, give the words of the kernels.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <memory>
+
+#include "hls/top/fields.hpp"
+#include "vectors/engine.hpp"
+#include "vectors/field_value.hpp"
+#include "vectors/lighting_records.hpp"
+#include "vectors/phong.hpp"
+#include "vectors/standard_set.hpp"
+
+using TopNormalDatabase = halfspace::NormalDatabase<halfspace::TopFormats>;
+extern "C" void phong_setup_top(const std::int64_t*, const std::int64_t*, std::int64_t*);
+extern "C" void shade_phong_top(int, const std::int64_t*, const TopNormalDatabase*,
+                                const halfspace::LightTable<halfspace::TopFormats>*,
+                                const halfspace::MaterialTable<halfspace::TopFormats>*, std::int64_t*);
+
+namespace halfspace::tests {
+namespace {
+
+using F = TopFormats;
+using vectors::Word;
+using Words = std::vector<std::vector<std::int64_t>>;
+
+TEST(PhongTops, GiveTheWordsOfTheKernels) {
+  const vectors::Configuration configuration(F::config().name, F::config());
+  const auto engine = vectors::make_engine(configuration, F::kLanes);
+  const auto database = std::make_unique<TopNormalDatabase>();
+  const auto lights = std::make_unique<LightTable<F>>();
+  const auto materials = std::make_unique<MaterialTable<F>>();
+  std::size_t planes = 0, pixels = 0;
+  for (vectors::NamedFrame& frame : vectors::random_frames(vectors::raster_format(configuration), 5, 4, 60)) {
+    frame.lighting = vectors::awkward_normals(frame.scene.triangles.size(), F::config(), 5);
+    engine->light(frame.lighting);
+    vectors::load_lights<F>(frame.lighting, *lights);
+    vectors::load_materials<F>(frame.lighting, *materials);
+    std::map<std::string, Words> streams;
+    engine->capture(frame.scene, [&](const vectors::Layout& layout, const Word* words, std::size_t count) {
+      Words& stream = streams[layout.stream];
+      for (std::size_t n = 0; n < count; ++n) {
+        auto& fields = stream.emplace_back();
+        for (const vectors::Field& field : layout.fields) {
+          for (int l = 0; l < field.count; ++l) fields.push_back(vectors::field_value(words[n], field, l));
+        }
+      }
+    });
+    std::size_t given = 0;
+    ASSERT_EQ(streams["attributes"].size(), streams["normal_planes"].size());
+    for (std::size_t n = 0; n < streams["attributes"].size(); ++n, ++planes) {
+      const auto& attributes = streams["attributes"][n];
+      ASSERT_EQ(int(attributes.size()), kAttributesFields);
+      while (streams["normals"][given][1] != attributes[2]) ++given;  // index
+      ASSERT_EQ(int(streams["normals"][given].size()), kNormalsFields);
+      std::vector<std::int64_t> out(kNormalPlanesFields, -1);
+      phong_setup_top(attributes.data(), streams["normals"][given].data(), out.data());
+      ASSERT_EQ(out, streams["normal_planes"][n]) << frame.note << ", word " << n;
+      const NormalPlanes<F> entry = read_fields<NormalPlanes<F>>(out.data());
+      if (!raw(entry.empty)) database->planes[raw(entry.index) - 1] = entry;
+    }
+    const auto& background = frame.scene.background;
+    ASSERT_EQ(streams["scan"].size(), streams["pixel"].size());
+    for (std::size_t n = 0; n < streams["scan"].size(); ++n, ++pixels) {
+      std::vector<std::int64_t> out(kPixelFields, -1);
+      shade_phong_top(background[0] << 16 | background[1] << 8 | background[2], streams["scan"][n].data(), database.get(),
+                      lights.get(), materials.get(), out.data());
+      ASSERT_EQ(out, streams["pixel"][n]) << frame.note << ", word " << n;
+    }
+  }
+  EXPECT_GT(planes, 100u);
+  EXPECT_GT(pixels, 1000u);
+}
+
+}  // namespace
+}  // namespace halfspace::tests

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vectors/phong.hpp"
+
+#include <algorithm>
+#include <random>
+
+namespace halfspace::vectors {
+
+LightingFrame phong_lighting(const ref::Geometry& geometry, const Config& config) {
+  const ref::DistantScene scene = ref::distant_scene(geometry.scene(), geometry.viewpoint(), most_squarings(config));
+  LightingFrame frame = quantized_lighting(scene, config);
+  frame.triangles.clear();
+  for (std::size_t k = 0; k < geometry.positions().triangles.size(); ++k) {
+    RawNormals& out = frame.triangles.emplace_back();
+    out.index = int(k) + 1;
+    out.material = scene.triangles[scene.of_face[geometry.positions().face[k] - 1]].material;
+    const std::array<glm::dvec3, 3> normals = geometry.normals(k);
+    for (int v = 0; v < 3; ++v) out.normals[v] = quantized_normal(normals[v], config);
+  }
+  return frame;
+}
+
+LightingFrame awkward_normals(std::size_t triangles, const Config& config, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::vector<LightingFrame> sources = lighting_frames(config, seed);
+  LightingFrame frame = std::move(sources[seed % sources.size()]);
+  const std::vector<RawNormals> given = std::move(frame.triangles);
+  frame.triangles.clear();
+  // As many materials as make a difference: the words of a frame are loaded before it.
+  frame.materials.resize(std::min<std::size_t>(frame.materials.size(), 16));
+  const int limit = 1 << config.normal_bits;
+  for (std::size_t k = 0; k < triangles; ++k) {
+    RawNormals& out = frame.triangles.emplace_back(given[random() % given.size()]);
+    out.index = int(k) + 1;
+    out.material %= int(frame.materials.size());
+    auto& n = out.normals;
+    for (int c = 0; c < 3; ++c) {
+      switch (k % 4) {
+        case 1: n[1][c] = n[2][c] = std::min(-n[0][c], limit - 1); break;
+        case 2:
+          for (auto& vertex : n) vertex[c] = random() % 2 ? limit - 1 : -limit;
+          break;
+        case 3:
+          for (int v = 1; v < 3; ++v) n[v][c] = std::clamp(n[0][c] + int(random() % 5) - 2, -limit, limit - 1);
+          break;
+        default: break;
+      }
+    }
+  }
+  return frame;
+}
+
+}  // namespace halfspace::vectors
