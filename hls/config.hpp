@@ -131,6 +131,7 @@ constexpr Refusal refusal(const Config& c) {
   if (has_depth(c) && !within(c.depth_bits, 2, 32)) return Refusal::kDepthBits;
   if (!within(c.colour_bits, 1, 8)) return Refusal::kColourBits;
   if (!within(c.lanes, 1, 16) || c.lanes != 1 << exact_log2(c.lanes)) return Refusal::kLanes;
+  if (is_phong(c) && !has_lighting(c)) return Refusal::kUnlitPhong;
   if ((has_planes(c) && !within(c.reciprocal_bits, 2, 40)) || (has_depth(c) && !within(c.depth_fraction, 1, 40)) ||
       (is_gouraud(c) && !within(c.colour_fraction, 1, 40)) || (is_phong(c) && !within(c.normal_fraction, 1, 40))) {
     return Refusal::kFractionBits;
@@ -139,7 +140,6 @@ constexpr Refusal refusal(const Config& c) {
       (!is_gouraud(c) && c.colour_fraction != 0) || (!is_phong(c) && c.normal_fraction != 0)) {
     return Refusal::kIdleBits;
   }
-  if (is_phong(c) && !has_lighting(c)) return Refusal::kUnlitPhong;
   if (tests_planes(c) && !has_depth(c)) return Refusal::kIdleArchitecture;
   if (is_phong(c) && !within(c.normal_bits, 9, 16)) return Refusal::kNormalBits;
   const int longer_side = c.width > c.height ? c.width : c.height;
