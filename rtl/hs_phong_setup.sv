@@ -7,9 +7,9 @@
 // ready of either follows both valid. Fields of an empty record are 0.
 // A configuration without Phong shading has no such unit: hs_formats_pkg has not its numbers then.
 module hs_phong_setup #(
+  parameter int unsigned NormalBits,  // of a component
   localparam int unsigned IndexBits = hs_formats_pkg::IndexBits,
   localparam int unsigned MaterialBits = hs_formats_pkg::MaterialBits,
-  localparam int unsigned NormalBits = hs_formats_pkg::NormalBits,
   localparam int unsigned PlaneBits = hs_formats_pkg::NormalPlaneBits,
   localparam int unsigned NormalsBits = 1 + IndexBits + MaterialBits + 9 * NormalBits,
   localparam int unsigned NormalPlanesBits = 2 + IndexBits + MaterialBits + 9 * PlaneBits

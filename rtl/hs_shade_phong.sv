@@ -11,8 +11,8 @@
 // word stays until the next read. Two banks, used in turn by the frames, the first one by the first
 // frame. Without Phong shading there is no such unit: hs_formats_pkg has not its numbers then.
 module hs_shade_phong #(
-  parameter int unsigned LanesX = 2,
-  parameter int unsigned LanesY = 2,
+  parameter int unsigned LanesX,
+  parameter int unsigned LanesY,
   localparam int unsigned Lanes = LanesX * LanesY,
   localparam int unsigned XBits = hs_formats_pkg::XBits,
   localparam int unsigned YBits = hs_formats_pkg::YBits,

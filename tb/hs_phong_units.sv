@@ -77,7 +77,9 @@ module hs_phong_units #(
     .attributes_o      (triangle_setup_attributes_o)
   );
 
-  hs_phong_setup u_phong_setup (
+  hs_phong_setup #(
+    .NormalBits(hs_formats_pkg::NormalBits)
+  ) u_phong_setup (
     .clk_i                (phong_setup_clk_i),
     .rst_ni               (rst_ni),
     .attributes_valid_i   (phong_setup_attributes_valid_i),
