@@ -7,7 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "ref/architecture.hpp"
 #include "vectors/accuracy.hpp"
+#include "vectors/configuration.hpp"
 
 namespace halfspace::cli {
 
@@ -28,6 +30,10 @@ using Json = nlohmann::ordered_json;
 // To the file, or nowhere when `path` is empty.
 void write_json(const std::string& path, const Json& json);
 Json to_json(const vectors::Accuracy& accuracy);
+// All numbers; those of what is not there are 0.
+Json to_json(const Config& config);
+// Those that are counted at streams.
+Json to_json(const ref::Rates& rates);
 // "∞" for an infinite ratio.
 std::string decibels(double psnr);
 

@@ -20,12 +20,7 @@ using vectors::Configuration;
 Json config_json(const Configuration& configuration) {
   const Config c = configuration.config();
   Json json = {{"name", configuration.name()}};
-  for (const auto& field : vectors::config_fields()) json[field.name] = c.*field.value;
-  json["shading"] = vectors::shading_name(c.shading);
-  json["architecture"] = vectors::architecture_name(c.architecture);
-  for (const auto& field : vectors::lighting_fields()) {
-    if (has_lighting(c)) json[field.name] = c.*field.value;
-  }
+  json.update(to_json(c));
   const FormatTable table = format_table(c);
   for (const auto* fields : {&vectors::format_fields(), &vectors::lighting_format_fields()}) {
     for (const auto& field : *fields) {

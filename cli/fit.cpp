@@ -24,6 +24,7 @@ namespace {
 using vectors::Configuration;
 using vectors::Fit;
 using vectors::FitScene;
+using cli::to_json;  // beside the one of requirements
 
 struct Options {
   FrameInput input;
@@ -166,11 +167,8 @@ void fit(const Options& options) {
   const Json proof = prove(options, scene, found, work);
   if (!options.output.empty()) vectors::write_file(options.output, vectors::configuration_toml(found.configuration));
 
-  Json less = Json::array(), numbers;
+  Json less = Json::array();
   for (const auto& one : found.less) less.push_back({{"change", one.change}, {"result", one.result}});
-  const Config c = found.configuration.config();
-  for (const auto& field : vectors::config_fields()) numbers[field.name] = c.*field.value;
-  numbers["shading"] = vectors::shading_name(c.shading);
   write_json(options.json, {{"scene", scene.name},
                             {"frames", scene.frames.size()},
                             {"width", scene.width},
@@ -178,7 +176,7 @@ void fit(const Options& options) {
                             {"goal", {{"psnr_db", options.goal.psnr}, {"max_lsb", options.goal.max_lsb}, {"cycles", options.goal.cycles}}},
                             {"requires", to_json(needed)},
                             {"tried", found.tried},
-                            {"configuration", numbers},
+                            {"configuration", to_json(found.configuration.config())},
                             {"left_out", gone},
                             {"one_bit_less", less},
                             {"memory_bits", memory_json(vectors::memory_bits(found.configuration))},

@@ -37,6 +37,23 @@ Json to_json(const vectors::Accuracy& a) {
           {"psnr_db", finite(a.psnr)}};
 }
 
+Json to_json(const Config& config) {
+  Json json;
+  for (const auto& field : vectors::config_fields()) json[field.name] = config.*field.value;
+  json["shading"] = vectors::shading_name(config.shading);
+  json["architecture"] = vectors::architecture_name(config.architecture);
+  for (const auto& field : vectors::lighting_fields()) json[field.name] = config.*field.value;
+  return json;
+}
+
+Json to_json(const ref::Rates& rates) {
+  return {{"triangles", rates.triangles},
+          {"reduced_triangles", rates.reduced_triangles},
+          {"fragments", rates.fragments},
+          {"reduced_fragments", rates.reduced_fragments},
+          {"visible_pixels", rates.visible_pixels}};
+}
+
 }  // namespace halfspace::cli
 
 int main(int argc, char** argv) {

@@ -46,14 +46,6 @@ Kind kind_of(const Kind (&kinds)[N], const std::string& name) {
   return *std::find_if(std::begin(kinds), std::end(kinds), [&](Kind kind) { return ref::name_of(kind) == name; });
 }
 
-Json rates_json(const ref::Rates& r) {
-  return {{"triangles", r.triangles},
-          {"reduced_triangles", r.reduced_triangles},
-          {"fragments", r.fragments},
-          {"reduced_fragments", r.reduced_fragments},
-          {"visible_pixels", r.visible_pixels}};
-}
-
 // The reference by one of the four architectures; the rates go to `rates`.
 ref::Frame draw_by(const Options& options, const LoadedScene& loaded, Json& rates) {
   const ref::SnappedList& list = loaded.list;
@@ -76,7 +68,7 @@ ref::Frame draw_by(const Options& options, const LoadedScene& loaded, Json& rate
     }
   }
   ref::Drawing drawing = ref::draw(list, *surface, architecture);
-  rates = rates_json(drawing.rates);
+  rates = to_json(drawing.rates);
   rates["lightings"] = drawing.rates.lightings;
   rates["texture_fetches"] = drawing.rates.texture_fetches;
   fmt::print("{}: {} fragments, {} passed the Z-test; {} lightings, {} texels\n", name_of(architecture), drawing.rates.fragments,
@@ -111,7 +103,7 @@ void render(const Options& options) {
     loaded.configuration = vectors::Configuration(loaded.configuration.name(), numbers);
   }
   if (options.engine == "hls" && !options.json.empty()) {
-    rates = rates_json(vectors::count_rates(*vectors::make_engine(loaded.configuration, options.lanes), scene));
+    rates = to_json(vectors::count_rates(*vectors::make_engine(loaded.configuration, options.lanes), scene));
   }
   const ref::Frame frame = chosen && options.engine == "ref" ? draw_by(options, loaded, rates)
                                                               : render_with(options.engine, loaded, options.lanes);

@@ -43,10 +43,14 @@ FrameSize parse_size(const std::string& text) {
   return size;
 }
 
-void add_scene_options(CLI::App* command, SceneInput& input) {
+std::string builtin_names() {
   std::string names;
   for (const std::string& name : ref::builtin_scene_names()) names += (names.empty() ? "" : ", ") + name;
-  command->add_option("SCENE", input.scene, "a built-in scene (" + names + "), a mesh file (OBJ, glTF, Collada, …) or a screen-space *.tri")
+  return names;
+}
+
+void add_scene_options(CLI::App* command, SceneInput& input) {
+  command->add_option("SCENE", input.scene, "a built-in scene (" + builtin_names() + "), a mesh file (OBJ, glTF, Collada, …) or a screen-space *.tri")
       ->required();
   command->add_option("--config", input.config,
                       "number formats: low (320x200), middle (640x480), high (1920x1080) or a .toml file; default: "

@@ -19,6 +19,9 @@ struct SceneInput {
   double time = 0;     // seconds into the file's animation
 };
 
+// Of the built-in scenes, for a help text.
+std::string builtin_names();
+
 // Adds the scene and its options to a subcommand.
 void add_scene_options(CLI::App* command, SceneInput& input);
 

@@ -42,9 +42,8 @@ void drop_idle(Config& config) {
 // Merged with an equal one that is there already.
 void add_config(std::vector<SweepConfig>& configs, SweepConfig config) {
   drop_idle(config.numbers);
-  const Json numbers = config_numbers(config.numbers);
   for (SweepConfig& other : configs) {
-    if (config_numbers(other.numbers) != numbers) continue;
+    if (!vectors::same_numbers(other.numbers, config.numbers)) continue;
     if (other.named.empty()) other.named = config.named;
     return;
   }
@@ -151,16 +150,8 @@ std::vector<SweepConfig> sweep_configs(const ConfigChoice& choice, const std::ve
   if (choice.star) add_star(configs, base, variations);
   else add_grid(configs, base, variations, 0);
   if (choice.named) add_named(configs, base, choice.frame);
-  const Json numbers = config_numbers(base.numbers);
-  for (SweepConfig& config : configs) config.base = config_numbers(config.numbers) == numbers;
+  for (SweepConfig& config : configs) config.base = vectors::same_numbers(config.numbers, base.numbers);
   return configs;
-}
-
-Json config_numbers(const Config& config) {
-  Json json;
-  for (const auto& field : vectors::config_fields()) json[field.name] = config.*field.value;
-  json[kShading] = vectors::shading_name(config.shading);
-  return json;
 }
 
 }  // namespace halfspace::cli

@@ -46,9 +46,6 @@ std::vector<SweepConfig> sweep_configs(const ConfigChoice&, const std::vector<Va
 // The base's numbers.
 Config base_numbers(const ConfigChoice&);
 
-// Fields of Config by name, and shading.
-Json config_numbers(const Config& config);
-
 }  // namespace halfspace::cli
 
 #endif  // HALFSPACE_CLI_SWEEP_CONFIGS_HPP_

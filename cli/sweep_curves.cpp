@@ -64,7 +64,7 @@ std::string column_name(const Sweep& sweep, const std::string& column) {
 // The rows that differ from the base in `key` alone; a number that was varied without the base's value stands at its
 // first.
 std::vector<const Json*> rows_along(const Sweep& sweep, const std::vector<Json>& rows, const std::string& key) {
-  Json reference = config_numbers(base_numbers(sweep.input.choice));
+  Json reference = to_json(base_numbers(sweep.input.choice));
   for (const Variation& variation : sweep.variations) {
     if (sweep.input.choice.star || variation.key == key || variation.key == "shading") continue;
     const std::string now = std::to_string(reference[variation.key].get<int>());
@@ -176,7 +176,7 @@ std::optional<PanelScript> curves_plot(const Sweep& sweep, const std::vector<Jso
   const std::string title = fmt::format("{}; all else as in {}, frame {}x{}", found->title, sweep.input.choice.config,
                                         sweep.scenes[0].width, sweep.scenes[0].height);
   PanelScript script(key + ".png", title, columns, (count + columns - 1) / columns, 400, 320);
-  const Json base = config_numbers(base_numbers(sweep.input.choice));
+  const Json base = to_json(base_numbers(sweep.input.choice));
   script.line(fmt::format("set xlabel {}", gnuplot_quoted(found->title)));
   script.line(x_axis(key, *first, *last, base[key].get<double>()));
   for (const Axis& axis : axes) {

@@ -62,7 +62,7 @@ SweepScene load_scene(const SweepInput& input, const std::string& name, const Fr
 
 void make_points(Sweep& sweep) {
   const auto add = [&](bool is_area, std::size_t scene, std::size_t config, Json what) {
-    what["configuration"] = config_numbers(sweep.configs[config].numbers);
+    what["configuration"] = to_json(sweep.configs[config].numbers);
     const std::string file = "points/" + digest(what.dump()) + ".json";
     sweep.points.push_back({is_area, scene, config, std::move(what), file});
   };

@@ -108,7 +108,7 @@ std::vector<Json> sweep_rows(const Sweep& sweep) {
                   {"base", config.base},
                   {"refused", config.refused.empty() ? Json(nullptr) : Json(config.refused)}};
       // The largest frame, apart from the frame that was drawn.
-      const Json numbers = config_numbers(config.numbers);
+      const Json numbers = to_json(config.numbers);
       for (const auto& item : numbers.items()) {
         row[item.key() == "width" || item.key() == "height" ? "largest_" + item.key() : item.key()] = item.value();
       }

@@ -36,6 +36,30 @@ constexpr int kRootFraction = 18;
 // u: fraction bits of a cosine. An exponent of 16 makes 16 times its error, so that 2^−(b+8) becomes 2^−4 LSB.
 constexpr int cosine_fraction(const Config& c) { return c.colour_bits + 8; }
 
+// What plane_setup takes and gives.
+struct ChannelFormats {
+  NumberFormat value, plane, gradient, numerator, start, start_gradient;
+};
+
+// Of a channel of b bits whose gradients have g fraction bits.
+constexpr ChannelFormats channel_formats(const Config& config, int b, int g) {
+  const int f = config.subpixel_bits, c = config.range_bits + f;
+  ChannelFormats t{};
+  t.value = {b, b, false};
+  // A plane is kept modulo 2^b: at a covered pixel centre its value, less the error, lies between values of the
+  // vertices, and the error is below ½ (see refusal), so the rounded value is one of 0 … 2^b − 1.
+  t.plane = {b + g, b, false};
+  t.gradient = {b + g, b, true};
+  // N = dv1·dy2 − dv2·dy1 = v1·dy2 − v2·dy1 + v0·(dy1 − dy2): each v is in [0, 2^b), and the three factors sum to zero, so
+  // N is at most 2^b times their positive part, a distance between two vertices: |N| < 2^(b+c).
+  t.numerator = {b + c + 1, b + config.range_bits + 1, true};
+  // The start of a plane lies a multiple of 2^−f pixels from vertex 0: it is summed with f + g fraction bits, modulo
+  // 2^b, and takes the gradients modulo 2^(b+f).
+  t.start = {b + g + f, b, true};
+  t.start_gradient = {b + g + f, b + f, true};
+  return t;
+}
+
 // The numbers of lighting; without it no record carries one, and the types are idle.
 constexpr FormatTable lighting_formats(const Config& c, FormatTable t) {
   const int p = has_lighting(c) ? c.normal_bits : 9, lights = has_lighting(c) ? c.lights : 1;
@@ -63,14 +87,14 @@ constexpr FormatTable lighting_formats(const Config& c, FormatTable t) {
   t.light_sum = {head + kCoefficientFraction + u, head, false};
 
   // A component as a channel of a plane: plus 2^p units it is a whole number without a sign, as the other channels are, and the
-  // top bit inverted is all that takes. Widths as theirs, with b = p + 1.
-  const int b = p + 1, g = c.normal_fraction, f = c.subpixel_bits;
-  t.normal_offset = {b, b, false};
-  t.normal_plane = {b + g, b, false};
-  t.normal_gradient = {b + g, b, true};
-  t.normal_numerator = {b + c.range_bits + f + 1, b + c.range_bits + 1, true};
-  t.normal_start = {b + g + f, b, true};
-  t.normal_start_gradient = {b + g + f, b + f, true};
+  // top bit inverted is all that takes.
+  const ChannelFormats normal = channel_formats(c, p + 1, c.normal_fraction);
+  t.normal_offset = normal.value;
+  t.normal_plane = normal.plane;
+  t.normal_gradient = normal.gradient;
+  t.normal_numerator = normal.numerator;
+  t.normal_start = normal.start;
+  t.normal_start_gradient = normal.start_gradient;
   return t;
 }
 
@@ -102,26 +126,21 @@ constexpr FormatTable format_table(const Config& c) {
   // s = floor(log2 D): 0 … 2c − 1.
   t.shift = {bits_for(t.area.width - 1), bits_for(t.area.width - 1), false};
 
-  // A channel of b bits whose gradients have g fraction bits.
-  t.depth = {depth_bits, depth_bits, false};
-  t.colour = {c.colour_bits, c.colour_bits, false};
-  // A plane is kept modulo 2^b: at a covered pixel centre its value, less the error, lies between values of the
-  // vertices, and the error is below ½ (see refusal), so the rounded value is one of 0 … 2^b − 1.
+  const ChannelFormats depth = channel_formats(c, depth_bits, c.depth_fraction);
+  t.depth = depth.value;
+  t.depth_plane = depth.plane;
+  t.depth_gradient = depth.gradient;
+  t.depth_numerator = depth.numerator;
+  t.depth_start = depth.start;
+  t.depth_start_gradient = depth.start_gradient;
   // A flat colour is a plane without gradients and without fraction bits.
-  t.depth_plane = {depth_bits + c.depth_fraction, depth_bits, false};
-  t.colour_plane = {c.colour_bits + c.colour_fraction, c.colour_bits, false};
-  t.depth_gradient = {t.depth_plane.width, depth_bits, true};
-  t.colour_gradient = {t.colour_plane.width, c.colour_bits, true};
-  // N = dv1·dy2 − dv2·dy1 = v1·dy2 − v2·dy1 + v0·(dy1 − dy2): each v is in [0, 2^b), and the three factors sum to zero, so
-  // N is at most 2^b times their positive part, a distance between two vertices: |N| < 2^(b+c).
-  t.depth_numerator = {depth_bits + t.coord.width + 1, depth_bits + c.range_bits + 1, true};
-  t.colour_numerator = {c.colour_bits + t.coord.width + 1, c.colour_bits + c.range_bits + 1, true};
-  // The start of a plane lies a multiple of 2^−f pixels from vertex 0: it is summed with f + g fraction bits, modulo
-  // 2^b, and takes the gradients modulo 2^(b+f).
-  t.depth_start = {t.depth_plane.width + f, depth_bits, true};
-  t.colour_start = {t.colour_plane.width + f, c.colour_bits, true};
-  t.depth_start_gradient = {t.depth_start.width, depth_bits + f, true};
-  t.colour_start_gradient = {t.colour_start.width, c.colour_bits + f, true};
+  const ChannelFormats colour = channel_formats(c, c.colour_bits, c.colour_fraction);
+  t.colour = colour.value;
+  t.colour_plane = colour.plane;
+  t.colour_gradient = colour.gradient;
+  t.colour_numerator = colour.numerator;
+  t.colour_start = colour.start;
+  t.colour_start_gradient = colour.start_gradient;
   return lighting_formats(c, t);
 }
 

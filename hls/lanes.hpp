@@ -31,14 +31,20 @@ Match:
   return triangle;
 }
 
+// The value of a plane at pixel (x, y), modulo its width.
+template <class F, class Plane, class Gradient>
+Plane plane_at(const Plane& origin, const Gradient& dx, const Gradient& dy, int x, int y) {
+  const Plane along_x = dx * from_raw<typename F::X>(x);
+  const Plane along_y = dy * from_raw<typename F::Y>(y);
+  const Plane start_x = origin + along_x;
+  return start_x + along_y;
+}
+
 // The values of a plane, rounded down, in the lanes of `group`, from pixel (x, y) on. Modulo the width of Plane.
 template <class F, class Plane, class Gradient, class Value>
 void plane_lanes(const Plane& origin, const Gradient& dx, const Gradient& dy, int x, int y, const Bit (&group)[F::kLanes],
                  Value (&value)[F::kLanes]) {
-  const Plane along_x = dx * from_raw<typename F::X>(x);
-  const Plane along_y = dy * from_raw<typename F::Y>(y);
-  const Plane start_x = origin + along_x;
-  const Plane start = start_x + along_y;
+  const Plane start = plane_at<F>(origin, dx, dy, x, y);
   // Unsigned: the planes wrap, and so may these.
   using Word = typename Plane::Carrier;
 Lanes:

@@ -19,7 +19,6 @@ typename F::NormalChannel::Value offset_component(const typename F::Normal& n) {
 
 template <class F>
 void phong_setup(Stream<Attributes<F>>& attributes, Stream<Normals<F>>& normals, Stream<NormalPlanes<F>>& planes) {
-  using Coord = typename F::Coord;
   const Attributes<F> in = attributes.read();
   Normals<F> given = normals.read();
 Drop:
@@ -31,16 +30,7 @@ Drop:
   out.index = in.index;
   if (!raw(in.empty)) {
     out.material = given.material;
-    const Coord centre = from_raw<Coord>(1 << (F::kSubpixelBits - 1));  // of pixel 0
-    PlaneBase<F> base;
-    base.dx1 = in.dx1;
-    base.dy1 = in.dy1;
-    base.dx2 = in.dx2;
-    base.dy2 = in.dy2;
-    base.inverse.shift = in.shift;
-    base.inverse.reciprocal = in.reciprocal;
-    base.dx = centre - in.x;
-    base.dy = centre - in.y;
+    const PlaneBase<F> base = frame_base(in);
     const int from[5] = {0, 1, 2, 0, 1};
     const int v0 = int(raw(in.first)), step = raw(in.turned) ? 2 : 1;
     const int v1 = from[v0 + step], v2 = from[v0 + 3 - step];

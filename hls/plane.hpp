@@ -16,6 +16,7 @@
 #define HALFSPACE_HLS_PLANE_HPP_
 
 #include "reciprocal.hpp"
+#include "records.hpp"
 
 namespace halfspace {
 
@@ -27,7 +28,24 @@ struct PlaneBase {
   typename F::Delta dx, dy;              // where the plane starts, from vertex 0
 };
 
-// Channel: F::DepthChannel or F::ColourChannel.
+// Of planes that start at the centre of pixel (0, 0) of the frame.
+template <class F>
+PlaneBase<F> frame_base(const Attributes<F>& in) {
+  using Coord = typename F::Coord;
+  const Coord centre = from_raw<Coord>(1 << (F::kSubpixelBits - 1));
+  PlaneBase<F> base;
+  base.dx1 = in.dx1;
+  base.dy1 = in.dy1;
+  base.dx2 = in.dx2;
+  base.dy2 = in.dy2;
+  base.inverse.shift = in.shift;
+  base.inverse.reciprocal = in.reciprocal;
+  base.dx = centre - in.x;
+  base.dy = centre - in.y;
+  return base;
+}
+
+// Channel: F::DepthChannel, F::ColourChannel or F::NormalChannel.
 template <class Channel>
 struct Plane {
   typename Channel::PlaneValue start;  // ½ included: the integer part of a value is it rounded to nearest, half up

@@ -25,12 +25,7 @@ bool store_normal_planes(Stream<NormalPlanes<F>>& planes, NormalDatabase<F>& dat
 template <class F>
 typename F::Normal normal_component(const typename F::NormalPlane& start, const typename F::NormalGradient& dx,
                                     const typename F::NormalGradient& dy, int x, int y) {
-  using Plane = typename F::NormalPlane;
-  const Plane along_x = dx * from_raw<typename F::X>(x);
-  const Plane along_y = dy * from_raw<typename F::Y>(y);
-  const Plane start_x = start + along_x;
-  const Plane plane = start_x + along_y;
-  const typename F::NormalChannel::Value offset = plane;  // rounded: the start has the ½
+  const typename F::NormalChannel::Value offset = plane_at<F>(start, dx, dy, x, y);  // rounded: the start has the ½
   return from_raw<typename F::Normal>(std::int64_t(raw(offset)) - (std::int64_t(1) << F::Normal::fraction()));
 }
 

@@ -10,7 +10,6 @@ namespace halfspace {
 
 template <class F>
 void shade_setup(Stream<Attributes<F>>& attributes, Stream<Planes<F>>& planes) {
-  using Coord = typename F::Coord;
   using Channel = typename F::ColourChannel;
   const Attributes<F> in = attributes.read();
 
@@ -23,16 +22,7 @@ void shade_setup(Stream<Attributes<F>>& attributes, Stream<Planes<F>>& planes) {
     out.g = in.g[0];
     out.b = in.b[0];
   } else if (!raw(in.empty)) {
-    const Coord centre = from_raw<Coord>(1 << (F::kSubpixelBits - 1));  // of pixel 0
-    PlaneBase<F> base;
-    base.dx1 = in.dx1;
-    base.dy1 = in.dy1;
-    base.dx2 = in.dx2;
-    base.dy2 = in.dy2;
-    base.inverse.shift = in.shift;
-    base.inverse.reciprocal = in.reciprocal;
-    base.dx = centre - in.x;
-    base.dy = centre - in.y;
+    const PlaneBase<F> base = frame_base(in);
     const auto r = plane_setup<F, Channel>(base, in.r[0], in.r[1], in.r[2]);
     const auto g = plane_setup<F, Channel>(base, in.g[0], in.g[1], in.g[2]);
     const auto b = plane_setup<F, Channel>(base, in.b[0], in.b[1], in.b[2]);

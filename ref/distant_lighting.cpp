@@ -44,14 +44,11 @@ class Builder {
  private:
   void add(const Instance& instance) {
     const Mesh& mesh = scene_.meshes[instance.mesh];
-    // As in the geometry: cofactors turn normals rightly under any scale.
-    const glm::dmat3 m(instance.to_world);
-    const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
-    const double handedness = glm::determinant(m) < 0 ? -1 : 1;
+    const glm::dmat3 turn = normal_matrix(instance.to_world);
     for (const auto& corners : mesh.triangles) {
       DistantTriangle triangle{number(mesh, corners[0]), {}};
       out_.of_face.push_back(std::uint32_t(out_.triangles.size()));
-      for (int v = 0; v < 3; ++v) triangle.normals[v] = unit_or_zero(handedness * (cofactors * mesh.normals[corners[v]]));
+      for (int v = 0; v < 3; ++v) triangle.normals[v] = unit_or_zero(turn * mesh.normals[corners[v]]);
       out_.triangles.push_back(triangle);
       if (!scene_.materials[mesh.material].two_sided) continue;
       for (glm::dvec3& normal : triangle.normals) normal = -normal;

@@ -44,10 +44,8 @@ void Geometry::draw(std::uint32_t number) {
   const Instance& instance = scene_.instances[number];
   const Mesh& mesh = scene_.meshes[instance.mesh];
   const bool two_sided = scene_.materials[mesh.material].two_sided;
-  const glm::dmat3 m(instance.to_world);
-  const bool mirrored = glm::determinant(m) < 0;
-  const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
-  placements_.push_back({mirrored ? -1.0 * cofactors : cofactors, {}, {}});
+  const bool mirrored = glm::determinant(glm::dmat3(instance.to_world)) < 0;
+  placements_.push_back({normal_matrix(instance.to_world), {}, {}});
 
   std::vector<glm::dvec4> positions;  // clip space; a vertex is transformed once, however many triangles share it
   for (const glm::dvec3& position : mesh.positions) {
@@ -56,9 +54,8 @@ void Geometry::draw(std::uint32_t number) {
     clip.y -= 2 * view_.shift_y / view_.height * clip.w;
     positions.push_back(clip);
   }
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+  for (std::array<std::uint32_t, 3> corner : mesh.triangles) {
     ++face_;
-    std::array<std::uint32_t, 3> corner = mesh.triangles[t];
     if (mirrored) std::swap(corner[1], corner[2]);
     const glm::dvec4 &a = positions[corner[0]], &b = positions[corner[1]], &c = positions[corner[2]];
     std::vector<ClipVertex> polygon{{a, {1, 0, 0}}, {b, {0, 1, 0}}, {c, {0, 0, 1}}};
@@ -72,7 +69,7 @@ void Geometry::draw(std::uint32_t number) {
       if (!two_sided && !faces_viewer(triangle)) continue;
       list_.triangles.push_back(triangle);
       list_.face.push_back(face_);
-      origins_.push_back({number, t, corner, two_sided && !faces, {part[0]->weights, part[1]->weights, part[2]->weights},
+      origins_.push_back({number, corner, two_sided && !faces, {part[0]->weights, part[1]->weights, part[2]->weights},
                           {part[0]->position.w, part[1]->position.w, part[2]->position.w}});
     }
   }
@@ -96,7 +93,7 @@ bool Geometry::faces_viewer(const std::array<Vertex, 3>& t) const {
 
 glm::dvec3 Geometry::normal(const Origin& origin, std::uint32_t corner) const {
   const Mesh& mesh = scene_.meshes[scene_.instances[origin.instance].mesh];
-  glm::dvec3 normal = placements_[origin.instance].cofactors * mesh.normals[corner];
+  glm::dvec3 normal = placements_[origin.instance].turn * mesh.normals[corner];
   const double length = glm::length(normal);
   if (length > 0) normal /= length;
   return origin.back ? -normal : normal;

@@ -25,7 +25,7 @@ struct View {
 
 // What a triangle of a frame is a part of.
 struct Origin {
-  std::uint32_t instance, triangle;           // of the scene, of its mesh
+  std::uint32_t instance;                     // of the scene
   std::array<std::uint32_t, 3> corner;        // vertices of the mesh, counter-clockwise seen from outside
   bool back;                                  // a two-sided one, seen from behind
   std::array<glm::dvec3, 3> weights;          // of the corners at each of its vertices: (1, 0, 0), … unless it was clipped
@@ -60,7 +60,7 @@ class Geometry {
  private:
   // A mesh in its place.
   struct Placement {
-    glm::dmat3 cofactors;  // turn normals rightly under any scale, and mirrors too; and need no inverse
+    glm::dmat3 turn;                      // of normals
     std::vector<glm::dvec3> front, back;  // colours of either side as far as they were asked for; else NaN
   };
   std::vector<ClipPlane> planes_around(double left, double right, double top, double bottom) const;

@@ -6,6 +6,12 @@
 
 namespace halfspace::ref {
 
+glm::dmat3 normal_matrix(const glm::dmat4& to_world) {
+  const glm::dmat3 m(to_world);
+  const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
+  return glm::determinant(m) < 0 ? -1.0 * cofactors : cofactors;
+}
+
 Arrival arrive(const Light& light, const glm::dvec3& point) {
   if (light.kind == Light::Kind::kDirectional) return {-light.direction, light.colour};
   const glm::dvec3 way = light.position - point;

@@ -17,6 +17,10 @@ struct SurfacePoint {
   glm::dvec3 colour;            // multiplies Ka and Kd
 };
 
+// Turns normals as `to_world` turns the surface, but for their length: the cofactors, which are right under any scale, of
+// mirrors too, and need no inverse.
+glm::dmat3 normal_matrix(const glm::dmat4& to_world);
+
 // How a light arrives at a point.
 struct Arrival {
   glm::dvec3 to_light;   // L, length 1

@@ -107,8 +107,7 @@ Frame render(const SnappedList& list) { return Raster(list).run(); }
 
 bool covers(const SnappedTriangle& triangle, int subpixel_bits, int px, int py) {
   const OrderedTriangle t(triangle);
-  const std::int64_t one = std::int64_t(1) << subpixel_bits;
-  const std::int64_t x = px * one + one / 2, y = py * one + one / 2;
+  const std::int64_t x = pixel_centre(px, subpixel_bits), y = pixel_centre(py, subpixel_bits);
   return t.area != 0 && t.edge(0, x, y) >= 0 && t.edge(1, x, y) >= 0 && t.edge(2, x, y) >= 0;
 }
 

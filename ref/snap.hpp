@@ -48,6 +48,12 @@ constexpr std::uint8_t displayed_colour(unsigned value, int bits) {
   return static_cast<std::uint8_t>(bits == 8 ? value : (value * 255 + full / 2) / full);
 }
 
+// The centre of a pixel, a column or a row, in units of 2^-f pixels.
+constexpr std::int64_t pixel_centre(std::int64_t pixel, int subpixel_bits) {
+  const std::int64_t one = std::int64_t(1) << subpixel_bits;
+  return pixel * one + one / 2;
+}
+
 // A position in units of 2^-f pixels, ties to even, still a double as it may be beyond any integer.
 double snapped_position(double pixels, int subpixel_bits);
 

@@ -17,10 +17,10 @@ struct Span {
 class Spans {
  public:
   Spans(int width, int height, int subpixel_bits)
-      : width_(width), height_(height), one_(std::int64_t(1) << subpixel_bits) {}
+      : width_(width), height_(height), subpixel_bits_(subpixel_bits) {}
 
-  std::int64_t one() const { return one_; }  // pixel, in units of positions
-  std::int64_t centre(std::int64_t pixel) const { return pixel * one_ + one_ / 2; }
+  std::int64_t one() const { return std::int64_t(1) << subpixel_bits_; }  // pixel, in units of positions
+  std::int64_t centre(std::int64_t pixel) const { return pixel_centre(pixel, subpixel_bits_); }
 
   // visit(row, span) for each row of the triangle's box in the frame, from the top; spans may be empty.
   template <class Visit>
@@ -32,7 +32,7 @@ class Spans {
     for (std::int64_t row = rows.first; row <= rows.last; ++row) {
       Span span = columns;
       for (int i = 0; i < 3; ++i) {
-        const std::int64_t step = (t.y[i] - t.y[(i + 1) % 3]) * one_;
+        const std::int64_t step = (t.y[i] - t.y[(i + 1) % 3]) * one();
         span = narrow(span, t.edge(i, centre(span.first), centre(row)), step);
       }
       visit(row, span);
@@ -42,8 +42,8 @@ class Spans {
  private:
   // The pixels of a row (column) of `size` whose centres lie in [low, high].
   Span pixels_between(std::int64_t low, std::int64_t high, int size) const {
-    const std::int64_t first = -floor_div(centre(0) - low, one_);
-    const std::int64_t last = floor_div(high - centre(0), one_);
+    const std::int64_t first = -floor_div(centre(0) - low, one());
+    const std::int64_t last = floor_div(high - centre(0), one());
     return {std::max<std::int64_t>(first, 0), std::min<std::int64_t>(last, size - 1)};
   }
 
@@ -57,8 +57,7 @@ class Spans {
     return e >= 0 ? span : Span{span.first, span.first - 1};
   }
 
-  const int width_, height_;
-  const std::int64_t one_;
+  const int width_, height_, subpixel_bits_;
 };
 
 }  // namespace halfspace::ref

@@ -16,11 +16,11 @@ class ColourPlanes {
 
   std::array<std::uint8_t, 4> at(std::uint32_t k, const SnappedTriangle& snapped, int x, int y) {
     if (k != k_) set(k, snapped);
-    const std::int64_t one = std::int64_t(1) << format_.subpixel_bits;
+    const std::int64_t px = pixel_centre(x, format_.subpixel_bits), py = pixel_centre(y, format_.subpixel_bits);
     std::array<std::uint8_t, 4> colour{0, 0, 0, 255};
     for (int c = 0; c < 3; ++c) {
       const Plane& plane = *planes_[c];
-      const auto value = plane.rounded(plane.numerator(x * one + one / 2, y * one + one / 2));
+      const auto value = plane.rounded(plane.numerator(px, py));
       colour[c] = displayed_colour(static_cast<unsigned>(value), format_.colour_bits);
     }
     return colour;
@@ -60,29 +60,27 @@ class GivenSurface : public Surface {
 class LitSurface : public Surface {
  public:
   LitSurface(Geometry& geometry, const SnappedList& list, bool flat)
-      : geometry_(geometry), list_(list), flat_(flat), planes_(list.format, flat), rgb_(list.triangles.size()) {}
+      : geometry_(geometry), colour_bits_(list.format.colour_bits), flat_(flat), planes_(list.format, flat), lit_(list.triangles) {}
 
   int light(std::uint32_t k) override {
     std::array<glm::dvec3, 3> colours;
     if (flat_) colours.fill(geometry_.colour(k - 1));
     else colours = geometry_.colours(k - 1);
     for (int v = 0; v < 3; ++v) {
-      for (int c = 0; c < 3; ++c) rgb_[k - 1][v][c] = snapped_colour(colours[v][c], list_.format.colour_bits);
+      for (int c = 0; c < 3; ++c) lit_[k - 1].rgb[v][c] = snapped_colour(colours[v][c], colour_bits_);
     }
     return flat_ ? 1 : 3;
   }
   std::array<std::uint8_t, 4> colour(std::uint32_t k, int x, int y, std::uint64_t&, std::uint64_t&) override {
-    SnappedTriangle triangle = list_.triangles[k - 1];
-    triangle.rgb = rgb_[k - 1];
-    return planes_.at(k, triangle, x, y);
+    return planes_.at(k, lit_[k - 1], x, y);
   }
 
  private:
   Geometry& geometry_;
-  const SnappedList& list_;
+  const int colour_bits_;
   const bool flat_;
   ColourPlanes planes_;
-  std::vector<std::array<std::array<std::uint8_t, 3>, 3>> rgb_;
+  std::vector<SnappedTriangle> lit_;
 };
 
 class PhongSurface : public Surface {
@@ -131,8 +129,8 @@ class TexturedSurface : public Surface {
     std::array<std::uint8_t, 4> colour = lit_->colour(k, x, y, lightings, texels);
     if (k != k_) set(k);
     if (texture_ < 0) return colour;
-    const std::int64_t one = std::int64_t(1) << list_.format.subpixel_bits;
-    std::array<double, 3> weights = vertex_weights(*triangle_, x * one + one / 2, y * one + one / 2);
+    const int f = list_.format.subpixel_bits;
+    std::array<double, 3> weights = vertex_weights(*triangle_, pixel_centre(x, f), pixel_centre(y, f));
     if (mode_.mapping == TextureMapping::kPerspective) {
       double total = 0;
       for (int v = 0; v < 3; ++v) total += weights[v] /= geometry_.origins()[k - 1].w[v];
@@ -176,8 +174,8 @@ const char* name_of(ShadingMode mode) {
 }
 
 glm::dvec3 normal_at(const OrderedTriangle& triangle, const std::array<glm::dvec3, 3>& normals, int subpixel_bits, int x, int y) {
-  const std::int64_t one = std::int64_t(1) << subpixel_bits;
-  const std::array<double, 3> weights = vertex_weights(triangle, x * one + one / 2, y * one + one / 2);
+  const std::array<double, 3> weights =
+      vertex_weights(triangle, pixel_centre(x, subpixel_bits), pixel_centre(y, subpixel_bits));
   return weights[0] * normals[0] + weights[1] * normals[1] + weights[2] * normals[2];
 }
 

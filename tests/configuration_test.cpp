@@ -145,4 +145,29 @@ TEST(Configuration, OfRandomNumbersIsAcceptedOrRefusedAndRight) {
 }
 
 }  // namespace
+// What tells configurations apart: each number alone, and no name.
+TEST(Configuration, IsTheSameWhenAllNumbersAre) {
+  const Config low = vectors::find_configuration("low").config();
+  Config other = low;
+  other.name = "other";
+  EXPECT_TRUE(vectors::same_numbers(low, other));
+  for (const auto* fields : {&vectors::config_fields(), &vectors::lighting_fields()}) {
+    for (const auto& field : *fields) {
+      other = low;
+      ++(other.*field.value);
+      EXPECT_FALSE(vectors::same_numbers(low, other)) << field.name;
+    }
+  }
+  other = low;
+  other.shading = Shading::kFlat;
+  EXPECT_FALSE(vectors::same_numbers(low, other));
+  other = low;
+  other.architecture = Architecture::kGamma;
+  EXPECT_FALSE(vectors::same_numbers(low, other));
+  EXPECT_FALSE(vectors::is_compiled({"low", other}));
+  other = low;
+  other.lanes = 16;
+  EXPECT_TRUE(vectors::is_compiled({"low", other}));
+}
+
 }  // namespace halfspace::tests

@@ -1,18 +1,8 @@
 # Configurations with lighting (lit_configs.hpp, configs/lit_*.toml): the top of light_vertex, its RTL against the kernels on
 # corner cases, random normals and the normals of scenes, lint, and what Yosys finds in it.
 foreach(config IN ITEMS LitHigh LitMatte)
-  add_library(tops_${config} OBJECT EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/hls/top/light_vertex_top.cpp)
-  set_target_properties(tops_${config} PROPERTIES CXX_STANDARD 14)
-  add_executable(light_tops_test_${config} EXCLUDE_FROM_ALL light_tops_test.cpp $<TARGET_OBJECTS:tops_${config}>)
-  target_link_libraries(light_tops_test_${config} PRIVATE halfspace_vectors GTest::gtest_main)
-  foreach(target IN ITEMS tops_${config} light_tops_test_${config})
-    target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
-    target_compile_options(${target} PRIVATE -include ${CMAKE_CURRENT_SOURCE_DIR}/lit_configs.hpp)
-    target_compile_definitions(${target} PRIVATE HALFSPACE_TOP_CONFIG=${config})
-    halfspace_warnings(${target})
-  endforeach()
-  add_dependencies(all_tests light_tops_test_${config})
-  add_test(NAME light_tops_test_${config} COMMAND light_tops_test_${config} --gtest_brief=1)
+  halfspace_tops_test(light_tops_test_${config} light_tops_test.cpp ${config} lit_configs.hpp
+                      ${PROJECT_SOURCE_DIR}/hls/top/light_vertex_top.cpp)
 endforeach()
 
 set(packages "")
@@ -70,19 +60,8 @@ halfspace_lighting_left(lit_high 22 2)
 halfspace_lighting_left(lit_matte 11 1)
 
 # Phong shading: the tops, and its units against the kernels.
-add_library(tops_PhongLow OBJECT EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/hls/top/phong_setup_top.cpp
-  ${PROJECT_SOURCE_DIR}/hls/top/shade_phong_top.cpp)
-set_target_properties(tops_PhongLow PROPERTIES CXX_STANDARD 14)
-add_executable(phong_tops_test EXCLUDE_FROM_ALL phong_tops_test.cpp $<TARGET_OBJECTS:tops_PhongLow>)
-target_link_libraries(phong_tops_test PRIVATE halfspace_vectors GTest::gtest_main)
-foreach(target IN ITEMS tops_PhongLow phong_tops_test)
-  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
-  target_compile_options(${target} PRIVATE -include ${CMAKE_CURRENT_SOURCE_DIR}/lit_configs.hpp)
-  target_compile_definitions(${target} PRIVATE HALFSPACE_TOP_CONFIG=PhongLow)
-  halfspace_warnings(${target})
-endforeach()
-add_dependencies(all_tests phong_tops_test)
-add_test(NAME phong_tops_test COMMAND phong_tops_test --gtest_brief=1)
+halfspace_tops_test(phong_tops_test phong_tops_test.cpp PhongLow lit_configs.hpp
+                    ${PROJECT_SOURCE_DIR}/hls/top/phong_setup_top.cpp ${PROJECT_SOURCE_DIR}/hls/top/shade_phong_top.cpp)
 foreach(pair IN ITEMS phong_low-1 phong_low-4 phong_high-4 phong_low-16)
   string(REPLACE "-" ";" pair ${pair})
   list(GET pair 0 name)

@@ -53,6 +53,16 @@ const char* const kArchitectureWhat = "\"delta\": a Z-buffer, or \"gamma\": none
 
 const char* architecture_name(Architecture architecture) { return architecture == Architecture::kGamma ? "gamma" : "delta"; }
 
+bool same_numbers(const Config& a, const Config& b) {
+  if (a.shading != b.shading || a.architecture != b.architecture) return false;
+  for (const auto* fields : {&config_fields(), &lighting_fields()}) {
+    for (const ConfigField& field : *fields) {
+      if (a.*field.value != b.*field.value) return false;
+    }
+  }
+  return true;
+}
+
 std::string refusal_text(Refusal refusal) {
   switch (refusal) {
     case Refusal::kNone: return "it is accepted";

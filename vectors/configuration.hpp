@@ -43,6 +43,9 @@ class Configuration {
   Config numbers_;
 };
 
+// Are all numbers the same, whatever the names?
+bool same_numbers(const Config&, const Config&);
+
 // Why, as a sentence with its remedy.
 std::string refusal_text(Refusal refusal);
 

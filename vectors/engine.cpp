@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "ref/error.hpp"
 
 namespace halfspace::vectors {
@@ -19,23 +21,28 @@ std::vector<ref::RasterFormat> raster_formats() {
 
 ref::RasterFormat raster_format(const std::string& name_or_path) { return raster_format(find_configuration(name_or_path)); }
 
+namespace {
+
+bool is_named(const Configuration& configuration, const Configuration& named) {
+  Config numbers = configuration.config();
+  numbers.lanes = named.config().lanes;
+  return configuration.name() == named.name() && same_numbers(numbers, named.config());
+}
+
+}  // namespace
+
+bool is_compiled(const Configuration& configuration) {
+  const auto& named = named_configurations();
+  return std::any_of(named.begin(), named.end(), [&](const Configuration& c) { return is_named(configuration, c); });
+}
+
 std::unique_ptr<Engine> make_engine(const Configuration& configuration, int lanes) {
   const Config config = configuration.config();
-  auto is_named = [&](const Configuration& c) {
-    if (c.name() != configuration.name() || c.config().shading != config.shading ||
-        c.config().architecture != config.architecture) {
-      return false;
-    }
-    for (const ConfigField& field : config_fields()) {
-      if (c.config().*field.value != config.*field.value) return false;
-    }
-    return !has_lighting(config);
-  };
   const auto& named = named_configurations();
-  std::unique_ptr<Engine> engine = is_named(named[0])   ? make_engine_low(lanes)
-                                   : is_named(named[1]) ? make_engine_middle(lanes)
-                                   : is_named(named[2]) ? make_engine_high(lanes)
-                                                        : make_runtime_engine(config, format_table(config), lanes);
+  std::unique_ptr<Engine> engine = is_named(configuration, named[0])   ? make_engine_low(lanes)
+                                   : is_named(configuration, named[1]) ? make_engine_middle(lanes)
+                                   : is_named(configuration, named[2]) ? make_engine_high(lanes)
+                                                                       : make_runtime_engine(config, format_table(config), lanes);
   if (!engine) throw ref::Error(fmt::format("there is no stamp of {} lanes: use 1, 2, 4, 8 or 16", lanes));
   return engine;
 }

@@ -98,19 +98,6 @@ double median_ms(Engine& engine, const ref::SnappedList& scene) {
   return times[2];
 }
 
-bool is_named(const Config& config) {
-  for (const Configuration& named : named_configurations()) {
-    const Config other = named.config();
-    bool same = named.name() == config.name && other.shading == config.shading &&
-                other.architecture == config.architecture;
-    for (const ConfigField& field : config_fields()) {
-      same = same && (other.*field.value == config.*field.value || field.value == &Config::lanes);
-    }
-    if (same) return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 Trade measure_trade(const Projection& project, int width, int height, const Configuration& configuration, int lanes) {
@@ -138,7 +125,7 @@ Trade measure_trade(const Projection& project, int width, int height, const Conf
     trade.native_ms = median_ms(*engine, scene);
   }
   trade.shimmer = meter.result();
-  trade.compiled = is_named(config);
+  trade.compiled = is_compiled(configuration);
   return trade;
 }
 
