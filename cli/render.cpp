@@ -80,8 +80,8 @@ ref::Frame draw_by(const Options& options, const LoadedScene& loaded, Json& rate
 
 ref::Frame render_with(const std::string& engine, const LoadedScene& loaded, int lanes) {
   const ref::SnappedList& scene = loaded.list;
-  if (engine == "ref") return ref::render(scene);
-  if (engine == "hls") return vectors::make_engine(loaded.configuration, lanes)->render(scene);
+  if (engine == "ref") return reference_of(loaded);
+  if (engine == "hls") return kernels_of(loaded, lanes)->render(scene);
   return rounded(ref::ideal(loaded.project(ref::ideal_view(scene.width, scene.height))), scene.format.depth_bits);
 }
 
@@ -103,7 +103,7 @@ void render(const Options& options) {
     loaded.configuration = vectors::Configuration(loaded.configuration.name(), numbers);
   }
   if (options.engine == "hls" && !options.json.empty()) {
-    rates = to_json(vectors::count_rates(*vectors::make_engine(loaded.configuration, options.lanes), scene));
+    rates = to_json(vectors::count_rates(*kernels_of(loaded, options.lanes), scene));
   }
   const ref::Frame frame = chosen && options.engine == "ref" ? draw_by(options, loaded, rates)
                                                               : render_with(options.engine, loaded, options.lanes);

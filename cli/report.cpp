@@ -52,10 +52,23 @@ struct Row {
   const char* stage;
   std::vector<const char*> streams;  // that it sends
 };
-const Row kRows[] = {{"triangle_setup", {"setup", "attributes"}}, {"shade_setup", {"planes"}},
-                     {"raster_pineda", {"triangle_depth", "stamp"}},
+const Row kRows[] = {{"triangle_setup", {"setup", "attributes"}}, {"visible_select", {"visible_attributes"}},
+                     {"light_vertex", {"colours"}},               {"shade_setup", {"planes"}},
+                     {"phong_setup", {"planes"}},                 {"raster_pineda", {"triangle_depth", "stamp"}},
                      {"ztest_index", {"update", "visible"}},      {"ztest_plane", {"update", "visible"}},
-                     {"scan_index", {"scan"}},                    {"shade_gouraud", {"pixel"}}};
+                     {"scan_index", {"scan"}},                    {"shade_gouraud", {"pixel"}},
+                     {"shade_phong", {"pixel"}}};
+
+// Whether a configuration has the unit.
+bool has_unit(const Config& config, const std::string& unit) {
+  if (unit == "ztest_index") return !tests_planes(config);
+  if (unit == "ztest_plane") return tests_planes(config);
+  if (unit == "visible_select") return is_deferred(config);
+  if (unit == "light_vertex") return has_lighting(config) && !is_phong(config);
+  if (unit == "shade_setup" || unit == "shade_gouraud") return !is_phong(config);
+  if (unit == "phong_setup" || unit == "shade_phong") return is_phong(config);
+  return true;
+}
 
 // words and mismatches of a stage in the co-simulation.
 std::pair<std::uint64_t, std::uint64_t> compared(const Json& cosim, const Row& row) {
@@ -80,13 +93,12 @@ std::string cycles_of(const Json& report, const std::string& unit) {
 }
 
 Json print_table(const Json& cosim, const Json& units, const vectors::Accuracy& a, const Config& config) {
-  const char* const other_test = tests_planes(config) ? "ztest_index" : "ztest_plane";
   // Column widths count characters: fmt pads by display width.
   fmt::print("\n{:<15} {:>10} {:>10}  {:<34} {:>7} {:>10}\n", "stage", "words", "mismatches", "error against the reference",
              "dB", "cycles");
   Json rows = Json::array();
   for (const Row& row : kRows) {
-    if (!std::strcmp(row.stage, other_test)) continue;
+    if (!has_unit(config, row.stage)) continue;
     const auto [words, mismatches] = compared(cosim, row);
     std::string error = "–", ratio = "–";
     if (!std::strcmp(row.stage, "raster_pineda")) error = fmt::format("{} pixels of coverage", a.covered_differ);
@@ -97,7 +109,7 @@ Json print_table(const Json& cosim, const Json& units, const vectors::Accuracy& 
         ratio = decibels(a.depth_psnr);
       }
     }
-    if (!std::strcmp(row.stage, "shade_gouraud")) {
+    if (!std::strncmp(row.stage, "shade_", 6) && std::strcmp(row.stage, "shade_setup")) {
       error = fmt::format("colour {} LSB of 8", a.colour_largest);
       ratio = decibels(a.psnr);
     }
@@ -117,9 +129,10 @@ Json print_table(const Json& cosim, const Json& units, const vectors::Accuracy& 
 
 int report(const Options& options) {
   const Json cosim = read_json(options.cosim), units = read_json(options.units);
-  const auto [scene, configuration, project] = load_snapped(options.input);
-  const ref::Frame reference = ref::render(scene);
-  const ref::Frame kernels = vectors::make_engine(configuration, 16)->render(scene);
+  const LoadedScene loaded = load_snapped(options.input);
+  const ref::SnappedList& scene = loaded.list;
+  const ref::Frame reference = reference_of(loaded);
+  const ref::Frame kernels = kernels_of(loaded, 16)->render(scene);
   const vectors::Accuracy a = vectors::accuracy(reference, kernels, scene.format.depth_bits);
   constexpr int kGain = 64;
 
@@ -141,7 +154,7 @@ int report(const Options& options) {
   if (has_depth) picture("depth.png", depth_picture(kernels));
   picture(fmt::format("difference_x{}.png", kGain).c_str(), difference_picture(reference, kernels, kGain));
 
-  const Json rows = print_table(cosim, units, a, configuration.config());
+  const Json rows = print_table(cosim, units, a, loaded.configuration.config());
   write_json(options.json, {{"scene", options.input.scene},
                             {"config", scene.format.name},
                             {"accuracy", to_json(a)},

@@ -5,13 +5,17 @@
 
 #include <cctype>
 #include <charconv>
+#include <limits>
 #include <memory>
 
+#include "ref/architecture.hpp"
 #include "ref/error.hpp"
 #include "ref/geometry.hpp"
 #include "ref/scene.hpp"
+#include "ref/surface.hpp"
 #include "ref/triangle_list.hpp"
 #include "vectors/engine.hpp"
+#include "vectors/frame_lighting.hpp"
 
 namespace halfspace::cli {
 namespace {
@@ -59,6 +63,35 @@ void add_scene_options(CLI::App* command, SceneInput& input) {
   command->add_option("--time", input.time, "seconds into the file's animation")->capture_default_str();
 }
 
+vectors::LightingFrame lighting_of(const LoadedScene& loaded) {
+  if (!loaded.scene) {
+    throw ref::Error(fmt::format("configuration {} lights triangles, and those of a *.tri have colours and no normals: take a mesh file, or a "
+                                 "configuration without lights", loaded.configuration.name()));
+  }
+  const ref::SnappedList& list = loaded.list;
+  const ref::Geometry geometry(*loaded.scene, {list.width, list.height, list.format.range_bits, list.format.subpixel_bits});
+  return vectors::frame_lighting(geometry, loaded.configuration.config());
+}
+
+std::unique_ptr<vectors::Engine> kernels_of(const LoadedScene& loaded, int lanes) {
+  auto engine = vectors::make_engine(loaded.configuration, lanes);
+  if (has_lighting(loaded.configuration.config())) engine->light(lighting_of(loaded));
+  return engine;
+}
+
+ref::Frame reference_of(const LoadedScene& loaded) {
+  const Config config = loaded.configuration.config();
+  if (!has_lighting(config) || !loaded.scene) return ref::render(loaded.list);
+  const ref::SnappedList& list = loaded.list;
+  ref::Geometry geometry(*loaded.scene, {list.width, list.height, list.format.range_bits, list.format.subpixel_bits});
+  if (!is_phong(config)) return ref::render(ref::distantly_lit(list, geometry, vectors::most_squarings(config)));
+  const auto surface = ref::lit_surface(geometry, list, ref::ShadingMode::kPhong);
+  ref::Drawing drawing = ref::draw(list, *surface, ref::Architecture::kDelta);
+  ref::Frame frame{list.width, list.height, std::move(drawing.triangle), std::move(drawing.depth), std::move(drawing.colour), {}, {}, {}};
+  frame.visible = std::move(drawing.visible);
+  return frame;
+}
+
 LoadedScene load_snapped(const SceneInput& input) {
   FrameSize size;
   if (!input.size.empty()) size = parse_size(input.size);
@@ -66,6 +99,7 @@ LoadedScene load_snapped(const SceneInput& input) {
   const ref::RasterFormat first = vectors::raster_format(chosen);
 
   vectors::Projection project;
+  std::shared_ptr<ref::Scene> scene;
   if (ref::is_tri_file(input.scene)) {
     const auto list = std::make_shared<ref::TriangleList>(ref::read_tri(input.scene));
     if (!input.size.empty() && (size.width != list->width || size.height != list->height)) {
@@ -81,13 +115,14 @@ LoadedScene load_snapped(const SceneInput& input) {
       empty.height = size.height;
       snap_scene(input.scene, empty, first);  // throws
     }
-    const auto scene = std::make_shared<ref::Scene>(ref::load_scene(input.scene, input.time));
+    scene = std::make_shared<ref::Scene>(ref::load_scene(input.scene, input.time));
     project = [scene](const ref::View& view) { return ref::project(*scene, view); };
   }
   auto snapped = [&](const vectors::Configuration& configuration) -> LoadedScene {
-    const ref::RasterFormat format = vectors::raster_format(configuration);
+    ref::RasterFormat format = vectors::raster_format(configuration);
+    if (input.window != 0) format.triangles = std::numeric_limits<int>::max();
     const ref::TriangleList list = project({size.width, size.height, format.range_bits, format.subpixel_bits});
-    return {snap_scene(input.scene, list, format), configuration, project};
+    return {snap_scene(input.scene, list, format), configuration, project, scene};
   };
   if (!input.config.empty()) return snapped(chosen);
   // Not said: middle if the scene fits it.

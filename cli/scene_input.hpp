@@ -4,10 +4,14 @@
 #define HALFSPACE_CLI_SCENE_INPUT_HPP_
 
 #include <CLI/CLI.hpp>
+#include <memory>
 #include <string>
 
 #include "ref/snap.hpp"
+#include "ref/scene.hpp"
 #include "vectors/configuration.hpp"
+#include "vectors/engine.hpp"
+#include "vectors/lighting.hpp"
 #include "vectors/trade.hpp"
 
 namespace halfspace::cli {
@@ -17,6 +21,7 @@ struct SceneInput {
   std::string config;  // name or .toml; empty: middle, or high when the scene does not fit middle
   std::string size;    // "WxH"; empty: a *.tri's size, or the configuration's
   double time = 0;     // seconds into the file's animation
+  int window = 0;      // of index reuse; not 0: there may be more triangles than the configuration takes
 };
 
 // Of the built-in scenes, for a help text.
@@ -29,7 +34,17 @@ struct LoadedScene {
   ref::SnappedList list;
   vectors::Configuration configuration;  // of its format
   vectors::Projection project;           // the scene as another view sees it
+  std::shared_ptr<ref::Scene> scene;     // null of a *.tri
 };
+
+// The lights, materials and normals of the triangles. Throws ref::Error where there are none.
+vectors::LightingFrame lighting_of(const LoadedScene& loaded);
+
+// The kernels of its configuration, with its lighting if they light.
+std::unique_ptr<vectors::Engine> kernels_of(const LoadedScene& loaded, int lanes);
+
+// What the reference draws. If the kernels light, lights and viewer are at infinity.
+ref::Frame reference_of(const LoadedScene& loaded);
 
 struct FrameSize {
   int width = 0, height = 0;

@@ -8,13 +8,9 @@
 #include "cli/progress.hpp"
 #include "cli/scene_input.hpp"
 #include "ref/error.hpp"
-#include "ref/geometry.hpp"
-#include "ref/scene.hpp"
-#include "ref/triangle_list.hpp"
-#include "ref/viewpoint.hpp"
 #include "vectors/engine.hpp"
 #include "vectors/extremes.hpp"
-#include "vectors/phong.hpp"
+#include "vectors/frame_lighting.hpp"
 #include "vectors/standard_set.hpp"
 #include "vectors/vector_set.hpp"
 
@@ -30,35 +26,17 @@ struct Options {
   int random = 4, random_triangles = 60;
 };
 
-// Normals of all kinds for the frames that there are, and those of the scene, which comes last.
-void add_normals(const Options& options, const vectors::Configuration& configuration, std::vector<vectors::NamedFrame>& frames) {
+// Normals of all kinds for the frames that there are; before them, frames for the normals.
+void add_normals(const Options& options, const vectors::Configuration& configuration, bool corners,
+                 std::vector<vectors::NamedFrame>& frames) {
   const Config config = configuration.config();
   for (std::size_t n = 0; n < frames.size(); ++n) {
+    if (!frames[n].lighting.triangles.empty()) continue;  // the scene's
     frames[n].lighting = vectors::awkward_normals(frames[n].scene.triangles.size(), config, options.seed + n);
   }
-  const std::string& name = options.input.scene;
-  if (name == "standard" || name == "largest" || ref::is_tri_file(name)) return;
-  const ref::Scene scene = ref::load_scene(name, options.input.time);
-  const ref::SnappedList& list = frames.back().scene;
-  const ref::Geometry geometry(scene, {list.width, list.height, config.range_bits, config.subpixel_bits});
-  frames.back().lighting = vectors::phong_lighting(geometry, config);
-}
-
-// Frames of normals alone for light_vertex, with a frame of one pixel for the rest; and the normals of the scene.
-void add_lighting(const Options& options, const vectors::Configuration& configuration, bool corners,
-                  std::vector<vectors::NamedFrame>& frames) {
-  const Config config = configuration.config();
-  const std::string& name = options.input.scene;
-  if (name != "standard" && name != "largest" && !ref::is_tri_file(name)) {
-    const ref::Scene scene = ref::load_scene(name, options.input.time);
-    const ref::SnappedList& list = frames.back().scene;
-    frames.back().lighting = vectors::quantized_lighting(
-        ref::distant_scene(scene, ref::viewpoint(scene, double(list.width) / list.height), vectors::most_squarings(config)), config);
-  }
-  if (!corners) return;
-  for (vectors::LightingFrame& lighting : vectors::lighting_frames(config, options.seed)) {
-    ref::SnappedList nothing{vectors::raster_format(configuration), 1, 1, {}, {}};
-    frames.push_back({lighting.note, std::move(nothing), std::move(lighting)});
+  if (corners) {
+    std::vector<vectors::NamedFrame> first = vectors::normal_frames(vectors::raster_format(configuration), config, options.seed);
+    frames.insert(frames.begin(), std::make_move_iterator(first.begin()), std::make_move_iterator(first.end()));
   }
 }
 
@@ -70,7 +48,8 @@ void write_vectors(const Options& options) {
   if (!standard && !largest) {
     LoadedScene scene = load_snapped(options.input);
     configuration = scene.configuration;
-    frames.push_back({options.input.scene, std::move(scene.list)});
+    frames.push_back({options.input.scene, scene.list});
+    if (has_lighting(configuration.config())) frames.back().lighting = lighting_of(scene);
   }
   const ref::RasterFormat format = vectors::raster_format(configuration);
   if (largest) frames = vectors::largest_frames(format);
@@ -83,14 +62,14 @@ void write_vectors(const Options& options) {
     frames = std::move(first);
   }
 
-  if (is_phong(configuration.config())) add_normals(options, configuration, frames);
-  else if (has_lighting(configuration.config())) add_lighting(options, configuration, corners, frames);
+  if (has_lighting(configuration.config())) add_normals(options, configuration, corners, frames);
 
   vectors::VectorSetOptions set;
   set.scene = options.input.scene;
   set.configuration = configuration;
   set.lanes = options.lanes ? options.lanes : configuration.config().lanes;
   set.seed = corners ? options.seed : 0;
+  set.window = options.input.window;
   Progress progress("vectors " + set.scene);
   const std::string manifest = vectors::write_vector_set(
       options.out, set, frames, [&](std::size_t done, std::size_t total) { progress.tell(done, total); });
@@ -120,6 +99,8 @@ void add_vectors(CLI::App& app, int&) {
   command->add_option("--random", options->random, "random frames")->capture_default_str()->check(CLI::NonNegativeNumber);
   command->add_option("--random-triangles", options->random_triangles, "triangles of a random frame")
       ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--window", options->input.window, "use indices of invisible triangles again: a triangle takes that of the one so many before it")
       ->check(CLI::NonNegativeNumber);
   command->add_option("--json", options->json, "file for a copy of the manifest");
   command->callback([options] { write_vectors(*options); });

@@ -49,6 +49,8 @@ constexpr bool is_phong(const Config& c) { return c.shading == Shading::kPhong; 
 constexpr bool shades_planes(const Config& c) { return is_gouraud(c) || is_phong(c); }
 constexpr bool has_lighting(const Config& c) { return c.lights != 0; }
 constexpr bool has_gloss(const Config& c) { return c.gloss != 0; }
+// Whether what a triangle is shaded with comes after it has turned out visible (deferred shading).
+constexpr bool is_deferred(const Config& c) { return has_lighting(c); }
 // Whether a triangle has a plane at all, and needs the reciprocal of its area.
 constexpr bool has_planes(const Config& c) { return has_depth(c) || shades_planes(c); }
 // Bits of a component of a normal, with its sign, as a plane has it; 0 without Phong shading.

@@ -179,18 +179,20 @@ struct Formats {
   static constexpr int kTriangles = config().triangles;
   static constexpr bool kHasDepth = has_depth(config()), kGouraud = is_gouraud(config());
   static constexpr bool kPhong = is_phong(config()), kShadesPlanes = shades_planes(config());
+  static constexpr bool kHasLighting = has_lighting(config()), kHasGloss = has_gloss(config());
+  static constexpr bool kDeferred = is_deferred(config());
   static constexpr bool kHasPlanes = has_planes(config());
   static constexpr bool kStoresDepth = stores_depth(config()), kTestsPlanes = tests_planes(config());
   // Whether ztest_plane is compiled: refusal() holds the words of its products for type γ alone.
   using CompilesPlaneTest = std::integral_constant<bool, kTestsPlanes>;
-  // So with phong_setup and shade_phong.
+  // So with phong_setup and shade_phong, and with light_vertex.
   using CompilesPhong = std::integral_constant<bool, kPhong>;
+  using CompilesLighting = std::integral_constant<bool, kHasLighting>;
   static constexpr int kSubpixelBits = config().subpixel_bits;
   static constexpr int kReciprocalFraction = config().reciprocal_bits;
   static constexpr int kAreaBits = table().area.width;
   static constexpr int kDepthBits = config().depth_bits;
   static constexpr int kColourBits = config().colour_bits;
-  static constexpr bool kHasLighting = has_lighting(config()), kHasGloss = has_gloss(config());
   static constexpr int kLights = config().lights, kMaterials = config().materials;
   static constexpr int kSquarings = exact_log2(config().gloss);
 

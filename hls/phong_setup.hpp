@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The planes of the components of a normal over a triangle, for TdbS. Normals of triangles that have no attributes, as they are
-// empty, are dropped; of the others both come, in one order.
+// The planes of the components of a normal over a triangle, for TdbS. Attributes and normals come in one order, normals not for
+// empty ones.
 //
 // A component goes through plane_setup with 2^p units added, so that it is unsigned as depths and colours are, and so are the
 // proofs of its widths and bounds: in bits, its top bit inverted. The shader inverts it again.
@@ -20,26 +20,22 @@ typename F::NormalChannel::Value offset_component(const typename F::Normal& n) {
 template <class F>
 void phong_setup(Stream<Attributes<F>>& attributes, Stream<Normals<F>>& normals, Stream<NormalPlanes<F>>& planes) {
   const Attributes<F> in = attributes.read();
-  Normals<F> given = normals.read();
-Drop:
-  while (raw(given.index) != raw(in.index)) given = normals.read();
 
   NormalPlanes<F> out{};
   out.last = in.last;
   out.empty = in.empty;
   out.index = in.index;
   if (!raw(in.empty)) {
+    const Normals<F> given = normals.read();
     out.material = given.material;
     const PlaneBase<F> base = frame_base(in);
-    const int from[5] = {0, 1, 2, 0, 1};
-    const int v0 = int(raw(in.first)), step = raw(in.turned) ? 2 : 1;
-    const int v1 = from[v0 + step], v2 = from[v0 + 3 - step];
+    const VertexOrder order = vertex_order(in);
     const typename F::Normal* const component[3] = {given.x, given.y, given.z};
   Components:
     for (int i = 0; i < 3; ++i) {
-      const auto plane = plane_setup<F, typename F::NormalChannel>(base, offset_component<F>(component[i][v0]),
-                                                                   offset_component<F>(component[i][v1]),
-                                                                   offset_component<F>(component[i][v2]));
+      const auto plane = plane_setup<F, typename F::NormalChannel>(base, offset_component<F>(component[i][order.vertex[0]]),
+                                                                   offset_component<F>(component[i][order.vertex[1]]),
+                                                                   offset_component<F>(component[i][order.vertex[2]]));
       out.start[i] = plane.start;
       out.dx[i] = plane.dx;
       out.dy[i] = plane.dy;

@@ -4,6 +4,7 @@
 #ifndef HALFSPACE_HLS_PIPELINE_HPP_
 #define HALFSPACE_HLS_PIPELINE_HPP_
 
+#include "light_vertex.hpp"
 #include "phong_setup.hpp"
 #include "raster_pineda.hpp"
 #include "scan_index.hpp"
@@ -11,6 +12,7 @@
 #include "shade_phong.hpp"
 #include "shade_setup.hpp"
 #include "triangle_setup.hpp"
+#include "visible_select.hpp"
 #include "ztest_index.hpp"
 #include "ztest_plane.hpp"
 
@@ -21,51 +23,77 @@ struct Streams {
   Stream<Triangle<F>> triangle;
   Stream<Setup<F>> setup;
   Stream<Attributes<F>> attributes;
-  Stream<Planes<F>> planes;
+  Stream<Attributes<F>> visible_attributes;
   Stream<Normals<F>> normals;
+  Stream<Colours<F>> colours;
+  Stream<Planes<F>> planes;
   Stream<NormalPlanes<F>> normal_planes;
   Stream<Stamp<F>> stamp;
   Stream<TriangleDepth<F>> triangle_depth;
   Probe<int> visits;
   Probe<PlaneTests> tests;
   Probe<Update<F>> update;
-  Stream<Visible<F>> visible;
+  Stream<Visible<F>> tested, visible;  // before and after visible_select, if there is one
   Stream<Scan<F>> scan;
   Stream<Pixel<F>> pixel;
 };
 
+template <class F>
+Stream<Visible<F>>& tested_stream(Streams<F>& streams) {
+  return F::kDeferred ? streams.tested : streams.visible;
+}
+
 // The stamps of one triangle into the I-buffer: through the Z-test of the architecture.
 template <class F>
 void pipeline_test(Streams<F>& streams, Buffers<F>& buffers, std::false_type) {
-  ztest_index(streams.stamp, buffers.index, buffers.depth, streams.update, streams.visible);
+  ztest_index(streams.stamp, buffers.index, buffers.depth, streams.update, tested_stream(streams));
 }
 template <class F>
 void pipeline_test(Streams<F>& streams, Buffers<F>& buffers, std::true_type) {
   if (!F::kTestsPlanes) return pipeline_test(streams, buffers, std::false_type());
-  ztest_plane(streams.stamp, streams.triangle_depth, buffers.index, buffers.visibility, streams.update, streams.visible,
-              streams.tests);
+  ztest_plane(streams.stamp, streams.triangle_depth, buffers.index, buffers.visibility, streams.update,
+              tested_stream(streams), streams.tests);
 }
 
-// What a triangle is shaded with, into TdbS.
+// Colours into TdbS: they came with the triangle, or are made of its normals.
 template <class F>
-void pipeline_planes(Streams<F>& streams, Buffers<F>& buffers, std::false_type) {
+void pipeline_colours(Streams<F>& streams, Buffers<F>& buffers, std::false_type) {
   shade_setup(streams.attributes, streams.planes);
   store_planes(streams.planes, buffers.shading);
 }
 template <class F>
+void pipeline_colours(Streams<F>& streams, Buffers<F>& buffers, std::true_type) {
+  if (!F::kHasLighting) return pipeline_colours(streams, buffers, std::false_type());
+  if (!streams.normals.empty()) light_vertex(streams.normals, buffers.lights, buffers.materials, streams.colours);
+  shade_setup(streams.visible_attributes, streams.colours, streams.planes);
+  store_planes(streams.planes, buffers.shading);
+}
+
+template <class F>
+void pipeline_planes(Streams<F>& streams, Buffers<F>& buffers, std::false_type) {
+  pipeline_colours(streams, buffers, typename F::CompilesLighting());
+}
+template <class F>
 void pipeline_planes(Streams<F>& streams, Buffers<F>& buffers, std::true_type) {
   if (!F::kPhong) return pipeline_planes(streams, buffers, std::false_type());
-  phong_setup(streams.attributes, streams.normals, streams.normal_planes);
+  phong_setup(streams.visible_attributes, streams.normals, streams.normal_planes);
   store_normal_planes(streams.normal_planes, buffers.normals);
 }
 
-// One triangle from streams.triangle, with F::kPhong after its word of streams.normals, into the buffers.
+// One triangle from streams.triangle into the I-buffer, and what geometry hears of it into streams.visible.
 template <class F>
 void pipeline_triangle(const Frame<F>& frame, Streams<F>& streams, Buffers<F>& buffers) {
   triangle_setup(frame, streams.triangle, streams.setup, streams.attributes);
-  if (!streams.attributes.empty()) pipeline_planes(streams, buffers, typename F::CompilesPhong());
   raster_pineda(frame, streams.setup, streams.stamp, streams.triangle_depth, streams.visits);
   pipeline_test(streams, buffers, typename F::CompilesPlaneTest());
+  if (F::kDeferred) visible_select(streams.attributes, streams.tested, streams.visible, streams.visible_attributes);
+}
+
+// What it is shaded with into TdbS; with F::kDeferred, and if it is visible, after its word of streams.normals.
+template <class F>
+void pipeline_planes(Streams<F>& streams, Buffers<F>& buffers) {
+  const bool none = F::kDeferred ? streams.visible_attributes.empty() : streams.attributes.empty();
+  if (!none) pipeline_planes(streams, buffers, typename F::CompilesPhong());
 }
 
 // Row `y` of the stamps of the finished frame from the I-buffer; rows are taken from the top.

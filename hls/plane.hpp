@@ -45,6 +45,21 @@ PlaneBase<F> frame_base(const Attributes<F>& in) {
   return base;
 }
 
+// The vertices, as given, in the order of the attributes.
+struct VertexOrder {
+  int vertex[3];
+};
+template <class F>
+VertexOrder vertex_order(const Attributes<F>& in) {
+  const int from[5] = {0, 1, 2, 0, 1};
+  const int first = int(raw(in.first)), step = raw(in.turned) ? 2 : 1;
+  VertexOrder order;
+  order.vertex[0] = first;
+  order.vertex[1] = from[first + step];
+  order.vertex[2] = from[first + 3 - step];
+  return order;
+}
+
 // Channel: F::DepthChannel, F::ColourChannel or F::NormalChannel.
 template <class Channel>
 struct Plane {

@@ -6,7 +6,8 @@
 // come once a lane stand last in the word, lane 0 in the least significant place, and first in memory, where a processor's
 // vectors find them aligned. A field that a configuration has no use for is not visited, so that no word has it: depths without
 // F::kHasDepth, depths of the Z-buffer without F::kStoresDepth, colours of the other vertices and colour planes without
-// F::kGouraud. With F::kPhong a triangle has no colours, and planes of normals.
+// F::kGouraud. With F::kHasLighting a triangle comes without colours, and its normals once it is visible; with F::kPhong its planes
+// are of normals.
 #ifndef HALFSPACE_HLS_RECORDS_HPP_
 #define HALFSPACE_HLS_RECORDS_HPP_
 
@@ -54,7 +55,7 @@ struct Triangle {
     v("x0", x[0]), v("x1", x[1]), v("x2", x[2]);
     v("y0", y[0]), v("y1", y[1]), v("y2", y[2]);
     if (F::kHasDepth) v("depth0", depth[0]), v("depth1", depth[1]), v("depth2", depth[2]);
-    if (!F::kPhong) visit_colours<F>(v, r, g, b);
+    if (!F::kHasLighting) visit_colours<F>(v, r, g, b);
   }
 };
 
@@ -85,8 +86,9 @@ struct Setup {
   }
 };
 
-// triangle_setup → shade_setup, or phong_setup: what the planes need, of each triangle that is not empty and of the last. A flat
-// triangle needs its colour alone.
+// triangle_setup → shade_setup: what the planes need, of each triangle that is not empty and of the last. A flat triangle needs
+// its colour alone. With F::kDeferred of every triangle, to visible_select; and of the visible ones and the last, in which `empty`
+// is that it is not visible, from there to shade_setup or phong_setup.
 template <class F>
 struct Attributes {
   static constexpr const char* kStream = "attributes";
@@ -97,7 +99,7 @@ struct Attributes {
   typename F::Delta dx1, dy1, dx2, dy2;
   typename F::Shift shift;
   typename F::Reciprocal reciprocal;
-  // Phong: which vertex, as given, vertex 0 is; and whether the other two follow it backwards.
+  // Where values of the vertices come later: which vertex, as given, vertex 0 is; and whether the other two follow it backwards.
   VertexNumber first;
   Bit turned;
   typename F::Colour r[3], g[3], b[3];  // flat: at [0]
@@ -110,8 +112,8 @@ struct Attributes {
       v("dx1", dx1), v("dy1", dy1), v("dx2", dx2), v("dy2", dy2);
       v("shift", shift), v("reciprocal", reciprocal);
     }
-    if (F::kPhong) v("first", first), v("turned", turned);
-    else visit_colours<F>(v, r, g, b);
+    if (F::kDeferred && F::kShadesPlanes) v("first", first), v("turned", turned);
+    if (!F::kHasLighting) visit_colours<F>(v, r, g, b);
   }
 };
 
@@ -145,7 +147,7 @@ struct Planes {
 // sign.
 template <class F>
 struct NormalPlanes {
-  static constexpr const char* kStream = "normal_planes";
+  static constexpr const char* kStream = "planes";
   Bit last;
   Bit empty;  // nothing to store
   typename F::Index index;
@@ -304,8 +306,8 @@ struct Material {
   }
 };
 
-// geometry → light_vertex, or phong_setup: the normals of a triangle's vertices in the order given, of any length; one of length 0
-// shows the base alone.
+// geometry → light_vertex, or phong_setup, in answer to a Visible that says so: the normals of the triangle's vertices in the order
+// given, of any length; one of length 0 shows the base alone. `last` and `index` are those of the Visible.
 template <class F>
 struct Normals {
   static constexpr const char* kStream = "normals";

@@ -56,7 +56,7 @@ Vertices:
     out.vertices.x[i] = in.x[v];
     out.vertices.y[i] = in.y[v];
     if (F::kHasDepth) out.vertices.depth[i] = in.depth[v];
-    if (!F::kPhong) {
+    if (!F::kHasLighting) {
       const int colour = F::kGouraud ? v : 0;  // flat: of the vertex that came first
       out.vertices.r[i] = in.r[colour];
       out.vertices.g[i] = in.g[colour];
@@ -175,12 +175,12 @@ void triangle_setup(const Frame<F>& frame, Stream<Triangle<F>>& triangle, Stream
       shade.shift = inverse.shift;
       shade.reciprocal = inverse.reciprocal;
     }
-    if (F::kPhong) {
+    if (F::kDeferred) {
       shade.first = t.first;
       shade.turned = t.turned;
     }
   Colours:
-    for (int i = 0; i < 3 && !F::kPhong; ++i) {
+    for (int i = 0; i < 3 && !F::kHasLighting; ++i) {
       HS_UNROLL
       shade.r[i] = t.vertices.r[i];
       shade.g[i] = t.vertices.g[i];
@@ -188,7 +188,7 @@ void triangle_setup(const Frame<F>& frame, Stream<Triangle<F>>& triangle, Stream
     }
   }
   setup.write(out);
-  if (!empty || raw(out.last)) attributes.write(shade);
+  if (!empty || raw(out.last) || F::kDeferred) attributes.write(shade);
 }
 
 }  // namespace halfspace

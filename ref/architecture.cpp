@@ -1,46 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ref/architecture.hpp"
 
-#include <fmt/format.h>
-
-#include <deque>
-
-#include "ref/error.hpp"
+#include "ref/index_pool.hpp"
 #include "ref/spans.hpp"
 
 namespace halfspace::ref {
 namespace {
-
-// Gives each triangle its index.
-class IndexPool {
- public:
-  explicit IndexPool(const IndexReuse& rule) : rule_(rule) {}
-
-  std::uint32_t take() {
-    std::uint32_t index = 0;
-    if (rule_.window != 0 && in_flight_.size() == rule_.window) {
-      const auto [earlier, visible] = in_flight_.front();
-      in_flight_.pop_front();
-      if (!visible) index = earlier;
-    }
-    if (index == 0) {
-      if (used_ == rule_.largest) {
-        throw Error(fmt::format("more than {} triangles are visible at once: take a configuration with more index bits", rule_.largest));
-      }
-      index = ++used_;
-    }
-    return index;
-  }
-  void done(std::uint32_t index, bool visible) {
-    if (rule_.window != 0) in_flight_.emplace_back(index, visible);
-  }
-  std::uint32_t largest() const { return used_; }
-
- private:
-  const IndexReuse rule_;
-  std::uint32_t used_ = 0;
-  std::deque<std::pair<std::uint32_t, bool>> in_flight_;
-};
 
 class Renderer {
  public:

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "ref/index_pool.hpp"
 #include "ref/snap.hpp"
 #include "ref/surface.hpp"
 
@@ -52,14 +53,6 @@ struct Drawing {
   std::vector<bool> visible;                        // triangle k at [k - 1]: has a fragment passed the test?
   Rates rates;
   BufferUses buffers;
-};
-
-// Indices: triangle n takes the one of triangle n − window if that turned out invisible, else a new one. So a triangle's
-// result may take `window` triangles to arrive, no list of free indices is kept, and as many indices are used as triangles
-// passed the test, and `window` more at most. 0: no index is used twice.
-struct IndexReuse {
-  std::uint32_t window = 0;
-  std::uint32_t largest = 0xffffffff;  // index value
 };
 
 // Draws `list`, of which the surface knows the shading. With `deferred_lighting` index rendering lights visible triangles alone.

@@ -7,7 +7,9 @@
 #include <map>
 #include <tuple>
 
+#include "ref/geometry.hpp"
 #include "ref/lighting.hpp"
+#include "ref/snap.hpp"
 
 namespace halfspace::ref {
 namespace {
@@ -102,6 +104,19 @@ glm::dvec3 distant_colour(const DistantMaterial& material, const std::vector<Dis
     total += material.reflections[i].specular * std::pow(cosine, std::ldexp(1.0, material.squarings));
   }
   return glm::clamp(total, 0.0, 255.0);
+}
+
+SnappedList distantly_lit(SnappedList list, const Geometry& geometry, int most_squarings) {
+  const DistantScene scene = distant_scene(geometry.scene(), geometry.viewpoint(), most_squarings);
+  for (std::size_t k = 0; k < list.triangles.size(); ++k) {
+    const int material = scene.triangles[scene.of_face[geometry.positions().face[k] - 1]].material;
+    const std::array<glm::dvec3, 3> normals = geometry.normals(k);
+    for (int v = 0; v < 3; ++v) {
+      const glm::dvec3 colour = distant_colour(scene.materials[material], scene.lights, normals[v]);
+      for (int c = 0; c < 3; ++c) list.triangles[k].rgb[v][c] = snapped_colour(colour[c], list.format.colour_bits);
+    }
+  }
+  return list;
 }
 
 }  // namespace halfspace::ref

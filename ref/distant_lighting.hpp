@@ -53,6 +53,11 @@ DistantScene distant_scene(const Scene&, const Viewpoint&, int most_squarings);
 //   I = base + sum of [ diffuse max(0, N·L) + (N·L > 0) specular max(0, N·H)^(2^k) ],  N = n / |n|, in 0-255, clamped to it
 glm::dvec3 distant_colour(const DistantMaterial&, const std::vector<DistantLight>&, const glm::dvec3& n);
 
+class Geometry;
+struct SnappedList;
+// The triangles of a geometry, snapped, in the colours that their vertices have so.
+SnappedList distantly_lit(SnappedList list, const Geometry&, int most_squarings);
+
 }  // namespace halfspace::ref
 
 #endif  // HALFSPACE_REF_DISTANT_LIGHTING_HPP_

@@ -22,7 +22,9 @@ module hs_edge_setup #(
   localparam int unsigned Gouraud = hs_formats_pkg::Gouraud,
   localparam int unsigned DepthsBits = HasDepth != 0 ? 3 * hs_formats_pkg::DepthBits : 1,
   localparam int unsigned Phong = hs_formats_pkg::Phong,
-  localparam int unsigned ColoursBits = hs_formats_pkg::TriangleColourBits
+  localparam int unsigned ColourBits = hs_formats_pkg::TriangleColourBits,
+  localparam int unsigned OrderBits = hs_formats_pkg::OrderBits,
+  localparam int unsigned ShadeBits = OrderBits + ColourBits != 0 ? OrderBits + ColourBits : 1
 ) (
   input  logic                        clk_i,
   input  logic                        rst_ni,
@@ -40,7 +42,7 @@ module hs_edge_setup #(
   output hs_formats_pkg::area_t       area_o,
 
   // To hs_triangle_setup: the record of the edges, and what the planes need: vertex 0, the way to
-  // the others, the way from the start to vertex 0, depths and colours of the ordered vertices
+  // the others, the way from the start to vertex 0, depths, order and colours of the ordered vertices
   output logic                        edge_valid_o,
   input  logic                        edge_ready_i,
   output hs_formats_pkg::setup_t      setup_o,
@@ -53,7 +55,7 @@ module hs_edge_setup #(
   output hs_formats_pkg::delta_t      x_o,
   output hs_formats_pkg::delta_t      y_o,
   output logic [DepthsBits-1:0]       depths_o,  // {0, 1, 2}; without depth a 0
-  output logic [ColoursBits-1:0]      colours_o  // As in attributes_t
+  output logic [ShadeBits-1:0]        shade_o  // {first, turned, colours}, what attributes_t has of them
 );
   localparam int unsigned DeltaBits = hs_formats_pkg::DeltaBits;
   localparam int unsigned EdgeBits = hs_formats_pkg::EdgeBits;
@@ -236,24 +238,27 @@ module hs_edge_setup #(
   logic last_q, empty_q;
   hs_formats_pkg::index_t index_q;
   logic [DepthsBits-1:0] depths, depths_q;
-  logic [ColoursBits-1:0] colours, colours_q;
+  logic [ShadeBits-1:0] shade, shade_q;
 
   if (HasDepth != 0) begin : gen_depth
     assign depths = {ordered.depth0, ordered.depth1, ordered.depth2};
   end else begin : gen_no_depth
     assign depths = '0;
   end
-  if (Gouraud != 0) begin : gen_gouraud
-    assign colours = {ordered.r0, ordered.r1, ordered.r2, ordered.g0, ordered.g1, ordered.g2,
+  if (ColourBits != 0 && Gouraud != 0) begin : gen_gouraud
+    assign shade[0 +: ColourBits] = {ordered.r0, ordered.r1, ordered.r2, ordered.g0, ordered.g1, ordered.g2,
                       ordered.b0, ordered.b1, ordered.b2};
-  end else if (Phong == 0) begin : gen_flat
-    assign colours = {ordered.r, ordered.g, ordered.b};
-  end else begin : gen_phong
-    assign colours = order;
+  end else if (ColourBits != 0) begin : gen_flat
+    assign shade[0 +: ColourBits] = {ordered.r, ordered.g, ordered.b};
   end
-  if (Phong == 0) begin : gen_colours
+  if (OrderBits != 0) begin : gen_order
+    assign shade[ColourBits +: OrderBits] = order;
+  end else begin : gen_no_order
     logic unused_order;
     assign unused_order = ^order;
+    if (ColourBits == 0) begin : gen_nothing
+      assign shade = '0;
+    end
   end
 
   always_comb begin
@@ -284,7 +289,7 @@ module hs_edge_setup #(
       empty_q <= take_empty;
       index_q <= ordered.index;
       depths_q <= depths;
-      colours_q <= colours;
+      shade_q <= shade;
       x0_q <= x0;
       y0_q <= y0;
       dx1_q <= dx1;
@@ -301,7 +306,7 @@ module hs_edge_setup #(
     if (ends_q3[1]) e0_q <= sum[EdgeBits-1:SubpixelBits];
     if (ends_q3[2]) e2_q <= sum[EdgeBits-1:SubpixelBits];
     if (take && take_empty) begin
-      colours_q <= '0;
+      shade_q <= '0;
       x0_q <= '0;
       y0_q <= '0;
       dx1_q <= '0;
@@ -332,7 +337,7 @@ module hs_edge_setup #(
   assign dx2_o = dx2_q;
   assign dy2_o = dy2_q;
   assign depths_o = depths_q;
-  assign colours_o = colours_q;
+  assign shade_o = shade_q;
 
   always_comb begin
     setup_o = '0;

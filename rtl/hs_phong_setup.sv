@@ -2,9 +2,9 @@
 // The planes of the components of a normal over a triangle, for TdbS, after hls/phong_setup.hpp: x,
 // y and z through hs_channel_planes.
 //
-// Interval, latency and stalls are those of hs_channel_planes; one cycle more for normals that are
-// dropped, those of a triangle that has no attributes. Attributes and normals are taken together:
-// ready of either follows both valid. Fields of an empty record are 0.
+// Interval, latency and stalls are those of hs_channel_planes. Attributes and normals come in one
+// order and are taken together, ready of either following both valid; empty attributes have no
+// normals. Fields of an empty record are 0.
 // A configuration without Phong shading has no such unit: hs_formats_pkg has not its numbers then.
 module hs_phong_setup #(
   parameter int unsigned NormalBits,  // of a component
@@ -28,39 +28,32 @@ module hs_phong_setup #(
   input  logic [NormalsBits-1:0]      normals_i,
 
   // To TdbS
-  output logic                        normal_planes_valid_o,
-  input  logic                        normal_planes_ready_i,
-  output logic [NormalPlanesBits-1:0] normal_planes_o
+  output logic                        planes_valid_o,
+  input  logic                        planes_ready_i,
+  output logic [NormalPlanesBits-1:0] planes_o
 );
   // --- The two words of a triangle ---
-  logic is_same, ready, unused_last;
-  hs_formats_pkg::index_t index;
+  logic valid, ready, unused_head;
   logic [MaterialBits-1:0] material;
   logic [9*NormalBits-1:0] given;  // a vertex after the other, each {x, y, z}
 
-  assign {unused_last, index, material, given} = normals_i;
-  assign is_same = index == attributes_i.index;
-  assign attributes_ready_o = ready;
-  assign normals_ready_o = ready || (attributes_valid_i && !is_same);
+  assign unused_head = ^normals_i[NormalsBits-1 -: 1+IndexBits];
+  assign {material, given} = normals_i[MaterialBits+9*NormalBits-1:0];
+  assign valid = attributes_valid_i && (attributes_i.empty || normals_valid_i);
+  assign attributes_ready_o = valid && ready;
+  assign normals_ready_o = valid && ready && !attributes_i.empty;
 
   // --- Values: vertices in the order of the attributes, components without a sign ---
-  logic [2:0] order;
   logic [9*NormalBits-1:0] vertices, values;
 
-  assign order = {attributes_i.turned, attributes_i.first};
-  always_comb begin
-    unique case (order)
-      3'b001:  vertices = {given[0 +: 6*NormalBits], given[6*NormalBits +: 3*NormalBits]};
-      3'b010:  vertices = {given[0 +: 3*NormalBits], given[3*NormalBits +: 6*NormalBits]};
-      3'b100:  vertices = {given[6*NormalBits +: 3*NormalBits], given[0 +: 3*NormalBits],
-                           given[3*NormalBits +: 3*NormalBits]};
-      3'b101:  vertices = {given[3*NormalBits +: 3*NormalBits], given[6*NormalBits +: 3*NormalBits],
-                           given[0 +: 3*NormalBits]};
-      3'b110:  vertices = {given[0 +: 3*NormalBits], given[3*NormalBits +: 3*NormalBits],
-                           given[6*NormalBits +: 3*NormalBits]};
-      default: vertices = given;
-    endcase
-  end
+  hs_attribute_order #(
+    .Bits(3 * NormalBits)
+  ) u_order (
+    .first_i (attributes_i.first),
+    .turned_i(attributes_i.turned),
+    .given_i (given),
+    .values_o(vertices)
+  );
 
   for (genvar vertex = 0; vertex < 3; vertex++) begin : gen_vertex
     for (genvar c = 0; c < 3; c++) begin : gen_component
@@ -77,7 +70,7 @@ module hs_phong_setup #(
 
   // A record is taken after the one before it has left.
   always_ff @(posedge clk_i) begin
-    if (ready) begin
+    if (attributes_ready_o) begin
       last_q <= attributes_i.last;
       empty_q <= attributes_i.empty;
       index_q <= attributes_i.index;
@@ -91,7 +84,7 @@ module hs_phong_setup #(
   ) u_planes (
     .clk_i       (clk_i),
     .rst_ni      (rst_ni),
-    .valid_i     (attributes_valid_i && normals_valid_i && is_same),
+    .valid_i     (valid),
     .ready_o     (ready),
     .empty_i     (attributes_i.empty),
     .values_i    (values),
@@ -103,10 +96,10 @@ module hs_phong_setup #(
     .dy2_i       (attributes_i.dy2),
     .shift_i     (attributes_i.shift),
     .reciprocal_i(attributes_i.reciprocal),
-    .valid_o     (normal_planes_valid_o),
-    .ready_i     (normal_planes_ready_i),
+    .valid_o     (planes_valid_o),
+    .ready_i     (planes_ready_i),
     .planes_o    (planes)
   );
 
-  assign normal_planes_o = {last_q, empty_q, index_q, material_q, planes};
+  assign planes_o = {last_q, empty_q, index_q, material_q, planes};
 endmodule

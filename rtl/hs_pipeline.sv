@@ -5,10 +5,13 @@
 //                     │                                            ▼
 //                 attributes                              I-buffer, Z-buffer
 //                     ▼                                            ▼
-//                shade_setup ─planes─► TdbS ─► shade_gouraud ◄─scan─ scan_index
-//                                                    ▼
-//                                                  pixel
+//                 hs_shading ◄────────────────────────── scan ─ scan_index
+//                     ▼
+//                   pixel
 //
+// Deferred shading, where there is lighting: the attributes wait in a queue, visible_select stands
+// before hs_shading and `visible`, and geometry answers each `visible` that says so with a word of
+// `normals`, in order. It may take its time; it must take `visible` meanwhile.
 // Type gamma: ztest_plane, with a stream triangle_depth from raster_pineda, and TdbV stand where
 // ztest_index and the Z-buffer do. Else triangle_depth_o is one bit, 0, never valid.
 //
@@ -16,7 +19,7 @@
 // state: the most of triangles × interval of triangle_setup, visited stamps, and groups of
 // shade_gouraud, and a few hundred.
 // Stall: each stream waits for its taker; a `visible` or `pixel` not taken stops all that is before.
-// Frame registers change only while busy_o is 0. Inner streams are there to watch, where the unit
+// Frame registers, lights and materials change only while busy_o is 0. Inner streams are there to watch, where the unit
 // offers them. `planes` never waits.
 module hs_pipeline #(
   parameter int unsigned LanesX = 2,
@@ -24,8 +27,7 @@ module hs_pipeline #(
   parameter int unsigned SetupFifoDepth = 512,
   parameter int unsigned StampFifoDepth = 4,
   parameter int unsigned TriangleDepthFifoDepth = 4,
-  parameter int unsigned AttributesFifoDepth = 4,
-  parameter int unsigned ScanFifoDepth = 4,
+  parameter int unsigned DeferFifoDepth = 512,
   localparam int unsigned Lanes = LanesX * LanesY,
   localparam int unsigned XBits = hs_formats_pkg::XBits,
   localparam int unsigned YBits = hs_formats_pkg::YBits,
@@ -41,7 +43,11 @@ module hs_pipeline #(
   localparam int unsigned TriangleDepthBits =
       TestsPlanes != 0 ? IndexBits + XBits + YBits + 3 * hs_formats_pkg::DepthPlaneBits : 1,
   localparam int unsigned ScanBits = 1 + XBits + YBits + Lanes * IndexBits,
-  localparam int unsigned PixelBits = 1 + XBits + YBits + Lanes * 3 * ColourBits
+  localparam int unsigned PixelBits = 1 + XBits + YBits + Lanes * 3 * ColourBits,
+  localparam int unsigned LightWordBits = hs_formats_pkg::LightWordBits,
+  localparam int unsigned MaterialWordBits = hs_formats_pkg::MaterialWordBits,
+  localparam int unsigned NormalsBits = hs_formats_pkg::NormalsWordBits,
+  localparam int unsigned ColoursBits = hs_formats_pkg::ColoursWordBits
 ) (
   input  logic                        clk_i,
   input  logic                        rst_ni,
@@ -53,6 +59,10 @@ module hs_pipeline #(
   output logic                        busy_o,
 
   // From geometry
+  input  logic                        light_valid_i,
+  input  logic [LightWordBits-1:0]    light_i,
+  input  logic                        material_valid_i,
+  input  logic [MaterialWordBits-1:0] material_i,
   input  logic                        triangle_valid_i,
   output logic                        triangle_ready_o,
   input  hs_formats_pkg::triangle_t   triangle_i,
@@ -61,6 +71,11 @@ module hs_pipeline #(
   output logic                        visible_valid_o,
   input  logic                        visible_ready_i,
   output hs_formats_pkg::visible_t    visible_o,
+
+  // From geometry, in answer
+  input  logic                        normals_valid_i,
+  output logic                        normals_ready_o,
+  input  logic [NormalsBits-1:0]      normals_i,
 
   // To the frame
   output logic                        pixel_valid_o,
@@ -74,6 +89,12 @@ module hs_pipeline #(
   output logic                        attributes_valid_o,
   output logic                        attributes_ready_o,
   output hs_formats_pkg::attributes_t attributes_o,
+  output logic                        visible_attributes_valid_o,
+  output logic                        visible_attributes_ready_o,
+  output hs_formats_pkg::attributes_t visible_attributes_o,
+  output logic                        colours_valid_o,
+  output logic                        colours_ready_o,
+  output logic [ColoursBits-1:0]      colours_o,
   output logic                        planes_valid_o,
   output logic                        planes_ready_o,
   output hs_formats_pkg::planes_t     planes_o,
@@ -92,10 +113,7 @@ module hs_pipeline #(
   localparam int unsigned StampsX = (hs_formats_pkg::MaxWidth + LanesX - 1) / LanesX;
   localparam int unsigned StampsY = (hs_formats_pkg::MaxHeight + LanesY - 1) / LanesY;
   localparam int unsigned AddressBits = $clog2(StampsX * StampsY);
-  localparam int unsigned EntryBits = $clog2(hs_formats_pkg::Triangles);
   localparam int unsigned DepthsBits = HasDepth != 0 ? Lanes * DepthBits : 1;
-  localparam int unsigned PlanesBits =
-      (hs_formats_pkg::Gouraud != 0 ? 9 : 3) * hs_formats_pkg::ColourPlaneBits;
 
   // --- frames ---
   logic frames_open, start_valid, start_ready, start_clear, scan_bank, planes_bank;
@@ -182,7 +200,8 @@ module hs_pipeline #(
   );
 
   // --- stamp ─► Z-test: ztest_index and Z-buffer, or ztest_plane and TdbV ---
-  logic ztest_stamp_valid, ztest_stamp_ready;
+  logic ztest_stamp_valid, ztest_stamp_ready, tested_valid, tested_ready;
+  hs_formats_pkg::visible_t tested;
   logic [StampBits-1:0] ztest_stamp;
   logic ztest_read_en, ztest_read_bank, ztest_write_bank;
   logic [AddressBits-1:0] ztest_read_address, ztest_write_address;
@@ -205,6 +224,7 @@ module hs_pipeline #(
   );
 
   if (TestsPlanes != 0) begin : gen_planes
+    localparam int unsigned EntryBits = $clog2(hs_formats_pkg::Triangles);
     localparam int unsigned EntryPlaneBits = 3 * hs_formats_pkg::DepthPlaneBits;
     logic ztest_depth_valid, ztest_depth_ready, fetch_en, store_en;
     logic [TriangleDepthBits-1:0] ztest_depth;
@@ -237,9 +257,9 @@ module hs_pipeline #(
       .stamp_valid_i         (ztest_stamp_valid),
       .stamp_ready_o         (ztest_stamp_ready),
       .stamp_i               (ztest_stamp),
-      .visible_valid_o       (visible_valid_o),
-      .visible_ready_i       (visible_ready_i),
-      .visible_o             (visible_o),
+      .visible_valid_o       (tested_valid),
+      .visible_ready_i       (tested_ready),
+      .visible_o             (tested),
       .update_valid_o        (update_valid_o),
       .update_o              (update_o),
       .read_en_o             (ztest_read_en),
@@ -286,9 +306,9 @@ module hs_pipeline #(
       .stamp_valid_i  (ztest_stamp_valid),
       .stamp_ready_o  (ztest_stamp_ready),
       .stamp_i        (ztest_stamp),
-      .visible_valid_o(visible_valid_o),
-      .visible_ready_i(visible_ready_i),
-      .visible_o      (visible_o),
+      .visible_valid_o(tested_valid),
+      .visible_ready_i(tested_ready),
+      .visible_o      (tested),
       .update_valid_o (update_valid_o),
       .update_o       (update_o),
       .read_en_o      (ztest_read_en),
@@ -363,88 +383,90 @@ module hs_pipeline #(
     .read_index_i  (scan_read_index)
   );
 
-  // --- attributes ─► shade_setup ─► TdbS ---
-  logic shade_attributes_valid, shade_attributes_ready;
+  // --- attributes ─► hs_shading, at once or when the triangle has turned out visible ---
+  logic shade_valid, shade_ready;
   hs_formats_pkg::attributes_t shade_attributes;
-  logic shade_read_en, shade_read_bank;
-  logic [EntryBits-1:0] shade_read_entry, planes_entry;
-  logic [PlanesBits-1:0] shade_read_planes;
 
-  hs_fifo #(
-    .Width($bits(attributes_o)),
-    .Depth(AttributesFifoDepth)
-  ) u_attributes_fifo (
-    .clk_i      (clk_i),
-    .rst_ni     (rst_ni),
-    .in_valid_i (attributes_valid_o),
-    .in_ready_o (attributes_ready_o),
-    .in_i       (attributes_o),
-    .out_valid_o(shade_attributes_valid),
-    .out_ready_i(shade_attributes_ready),
-    .out_o      (shade_attributes)
-  );
+  if (hs_formats_pkg::Deferred != 0) begin : gen_deferred
+    logic waiting_valid, waiting_ready;
+    hs_formats_pkg::attributes_t waiting;
 
-  hs_shade_setup u_shade_setup (
-    .clk_i             (clk_i),
-    .rst_ni            (rst_ni),
-    .attributes_valid_i(shade_attributes_valid),
-    .attributes_ready_o(shade_attributes_ready),
-    .attributes_i      (shade_attributes),
-    .planes_valid_o    (planes_valid_o),
-    .planes_ready_i    (planes_ready_o),
-    .planes_o          (planes_o)
-  );
+    // As many as there can be setups before the Z-test.
+    hs_fifo_block #(
+      .Width($bits(attributes_o)),
+      .Depth(DeferFifoDepth)
+    ) u_defer_fifo (
+      .clk_i      (clk_i),
+      .rst_ni     (rst_ni),
+      .in_valid_i (attributes_valid_o),
+      .in_ready_o (attributes_ready_o),
+      .in_i       (attributes_o),
+      .out_valid_o(waiting_valid),
+      .out_ready_i(waiting_ready),
+      .out_o      (waiting)
+    );
 
-  assign planes_ready_o = 1'b1;
-  assign planes_entry = EntryBits'(planes_o.index) - EntryBits'(1);
+    hs_visible_select u_visible_select (
+      .clk_i                     (clk_i),
+      .rst_ni                    (rst_ni),
+      .attributes_valid_i        (waiting_valid),
+      .attributes_ready_o        (waiting_ready),
+      .attributes_i              (waiting),
+      .visible_valid_i           (tested_valid),
+      .visible_ready_o           (tested_ready),
+      .visible_i                 (tested),
+      .visible_valid_o           (visible_valid_o),
+      .visible_ready_i           (visible_ready_i),
+      .visible_o                 (visible_o),
+      .visible_attributes_valid_o(visible_attributes_valid_o),
+      .visible_attributes_ready_i(visible_attributes_ready_o),
+      .visible_attributes_o      (visible_attributes_o)
+    );
 
-  hs_ram_1r1w #(
-    .Width(PlanesBits),
-    .Depth(2 << EntryBits)
-  ) u_shading_database (
-    .clk_i          (clk_i),
-    .read_en_i      (shade_read_en),
-    .read_address_i ({shade_read_bank, shade_read_entry}),
-    .read_data_o    (shade_read_planes),
-    .write_en_i     (planes_valid_o && !planes_o.empty),
-    .write_address_i({planes_bank, planes_entry}),
-    .write_data_i   (planes_o[PlanesBits-1:0])
-  );
+    assign shade_valid = visible_attributes_valid_o;
+    assign shade_attributes = visible_attributes_o;
+    assign visible_attributes_ready_o = shade_ready;
+  end else begin : gen_at_once
+    assign visible_valid_o = tested_valid;
+    assign tested_ready = visible_ready_i;
+    assign visible_o = tested;
+    assign visible_attributes_valid_o = 1'b0;
+    assign visible_attributes_ready_o = 1'b0;
+    assign visible_attributes_o = '0;
+    assign shade_valid = attributes_valid_o;
+    assign shade_attributes = attributes_o;
+    assign attributes_ready_o = shade_ready;
+  end
 
-  // --- scan ─► shade_gouraud ---
-  logic shade_scan_valid, shade_scan_ready;
-  logic [ScanBits-1:0] shade_scan;
-
-  hs_fifo #(
-    .Width(ScanBits),
-    .Depth(ScanFifoDepth)
-  ) u_scan_fifo (
-    .clk_i      (clk_i),
-    .rst_ni     (rst_ni),
-    .in_valid_i (scan_valid_o),
-    .in_ready_o (scan_ready_o),
-    .in_i       (scan_o),
-    .out_valid_o(shade_scan_valid),
-    .out_ready_i(shade_scan_ready),
-    .out_o      (shade_scan)
-  );
-
-  hs_shade_gouraud #(
+  hs_shading #(
     .LanesX(LanesX),
     .LanesY(LanesY)
-  ) u_shade_gouraud (
-    .clk_i        (clk_i),
-    .rst_ni       (rst_ni),
-    .background_i (background_i),
-    .scan_valid_i (shade_scan_valid),
-    .scan_ready_o (shade_scan_ready),
-    .scan_i       (shade_scan),
-    .read_en_o    (shade_read_en),
-    .read_bank_o  (shade_read_bank),
-    .read_entry_o (shade_read_entry),
-    .read_planes_i(shade_read_planes),
-    .pixel_valid_o(pixel_valid_o),
-    .pixel_ready_i(pixel_ready_i),
-    .pixel_o      (pixel_o)
+  ) u_shading (
+    .clk_i             (clk_i),
+    .rst_ni            (rst_ni),
+    .background_i      (background_i),
+    .planes_bank_i     (planes_bank),
+    .light_valid_i     (light_valid_i),
+    .light_i           (light_i),
+    .material_valid_i  (material_valid_i),
+    .material_i        (material_i),
+    .normals_valid_i   (normals_valid_i),
+    .normals_ready_o   (normals_ready_o),
+    .normals_i         (normals_i),
+    .attributes_valid_i(shade_valid),
+    .attributes_ready_o(shade_ready),
+    .attributes_i      (shade_attributes),
+    .scan_valid_i      (scan_valid_o),
+    .scan_ready_o      (scan_ready_o),
+    .scan_i            (scan_o),
+    .pixel_valid_o     (pixel_valid_o),
+    .pixel_ready_i     (pixel_ready_i),
+    .pixel_o           (pixel_o),
+    .colours_valid_o   (colours_valid_o),
+    .colours_ready_o   (colours_ready_o),
+    .colours_o         (colours_o),
+    .planes_valid_o    (planes_valid_o),
+    .planes_ready_o    (planes_ready_o),
+    .planes_o          (planes_o)
   );
 endmodule

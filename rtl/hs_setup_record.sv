@@ -5,14 +5,16 @@
 // The record waits in a register, so that the next triangle's edges and division follow. It is
 // taken when the division is done, or at once if empty. Fork: setup and attributes each stay until
 // taken, and the next record waits for both; attributes come not at all for an empty triangle,
-// unless it is the last. Without depth the setup is offered with the attributes.
+// unless it is the last, or all are asked for (hs_visible_select). Without depth the setup is offered with the attributes.
 module hs_setup_record #(
   parameter int unsigned Fraction,  // r, of the reciprocal
   localparam int unsigned HasDepth = hs_formats_pkg::HasDepth,
   localparam int unsigned Gouraud = hs_formats_pkg::Gouraud,
   localparam int unsigned DepthsBits = HasDepth != 0 ? 3 * hs_formats_pkg::DepthBits : 1,
   localparam int unsigned Phong = hs_formats_pkg::Phong,
-  localparam int unsigned ColoursBits = hs_formats_pkg::TriangleColourBits
+  localparam int unsigned ColourBits = hs_formats_pkg::TriangleColourBits,
+  localparam int unsigned OrderBits = hs_formats_pkg::OrderBits,
+  localparam int unsigned ShadeBits = OrderBits + ColourBits != 0 ? OrderBits + ColourBits : 1
 ) (
   input  logic                        clk_i,
   input  logic                        rst_ni,
@@ -33,7 +35,7 @@ module hs_setup_record #(
   input  hs_formats_pkg::delta_t      x_i,
   input  hs_formats_pkg::delta_t      y_i,
   input  logic [DepthsBits-1:0]       depths_i,
-  input  logic [ColoursBits-1:0]      colours_i,
+  input  logic [ShadeBits-1:0]        shade_i,  // {first, turned, colours}
 
   // To raster_pineda
   output logic                        setup_valid_o,
@@ -72,7 +74,7 @@ module hs_setup_record #(
   logic plane_ready;
   hs_formats_pkg::setup_t setup_q;
   hs_formats_pkg::delta_t dx1_q, dy1_q, dx2_q, dy2_q;
-  logic [ColoursBits-1:0] colours_q;
+  logic [ShadeBits-1:0] shade_q;
 
   assign free = (!setup_pending_q || (setup_valid_o && setup_ready_i))
                 && (!attributes_valid_q || attributes_ready_i);
@@ -88,7 +90,7 @@ module hs_setup_record #(
     end else if (take) begin
       plane_job_q <= 1'b1;
       setup_pending_q <= 1'b1;
-      attributes_valid_q <= !setup_i.empty || setup_i.last;
+      attributes_valid_q <= !setup_i.empty || setup_i.last || hs_formats_pkg::Deferred != 0;
     end else begin
       if (plane_ready) plane_job_q <= 1'b0;
       if (setup_valid_o && setup_ready_i) setup_pending_q <= 1'b0;
@@ -99,7 +101,7 @@ module hs_setup_record #(
   always_ff @(posedge clk_i) begin
     if (take) begin
       setup_q <= setup_i;
-      colours_q <= colours_i;
+      shade_q <= shade_i;
       dx1_q <= dx1_i;
       dy1_q <= dy1_i;
       dx2_q <= dx2_i;
@@ -197,13 +199,17 @@ module hs_setup_record #(
     assign unused_position = ^{x0_i, y0_i};
   end
 
-  if (Gouraud != 0) begin : gen_gouraud
+  if (OrderBits != 0) begin : gen_order
+    assign {attributes_o.first, attributes_o.turned} = shade_q[ColourBits +: OrderBits];
+  end
+  if (ColourBits != 0 && Gouraud != 0) begin : gen_gouraud
     assign {attributes_o.r0, attributes_o.r1, attributes_o.r2,
             attributes_o.g0, attributes_o.g1, attributes_o.g2,
-            attributes_o.b0, attributes_o.b1, attributes_o.b2} = colours_q;
-  end else if (Phong == 0) begin : gen_flat
-    assign {attributes_o.r, attributes_o.g, attributes_o.b} = colours_q;
-  end else begin : gen_phong
-    assign {attributes_o.first, attributes_o.turned} = colours_q;
+            attributes_o.b0, attributes_o.b1, attributes_o.b2} = shade_q[0 +: ColourBits];
+  end else if (ColourBits != 0) begin : gen_flat
+    assign {attributes_o.r, attributes_o.g, attributes_o.b} = shade_q[0 +: ColourBits];
+  end else if (OrderBits == 0) begin : gen_nothing
+    logic unused_shade;
+    assign unused_shade = ^shade_q;
   end
 endmodule

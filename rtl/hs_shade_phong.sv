@@ -7,7 +7,7 @@
 // Stages: pick | read | data | five of the planes, then hs_lighting and the merge into the stamp.
 // Multipliers: six, and those of hs_lighting. Stall: while a finished stamp is not taken, the stages
 // fill up and wait.
-// TdbS: entry index − 1, bits as in normal_planes_t from material on; a read takes one cycle, its
+// TdbS: entry index − 1, bits as in planes_t from material on; a read takes one cycle, its
 // word stays until the next read. Two banks, used in turn by the frames, the first one by the first
 // frame. Without Phong shading there is no such unit: hs_formats_pkg has not its numbers then.
 module hs_shade_phong #(

@@ -12,7 +12,7 @@
 // division; 3 for an empty triangle, 7 if its box is not empty. Latency: at most 45 cycles more. A
 // triangle is taken after it was looked at: ready follows valid. Fork: setup and attributes each
 // stay until taken, and the next record waits for both. Attributes come when the division is done,
-// and not at all for an empty triangle, unless it is the last. Fields of an empty record are 0.
+// and not at all for an empty triangle, unless it is the last or all are asked for (hs_visible_select). Fields of an empty record are 0.
 // LanesX and LanesY are powers of two.
 module hs_triangle_setup #(
   parameter int unsigned LanesX = 1,
@@ -42,7 +42,9 @@ module hs_triangle_setup #(
   localparam int unsigned Gouraud = hs_formats_pkg::Gouraud;
   localparam int unsigned DepthsBits = HasDepth != 0 ? 3 * hs_formats_pkg::DepthBits : 1;
   localparam int unsigned Phong = hs_formats_pkg::Phong;
-  localparam int unsigned ColoursBits = hs_formats_pkg::TriangleColourBits;
+  localparam int unsigned ColourBits = hs_formats_pkg::TriangleColourBits;
+  localparam int unsigned OrderBits = hs_formats_pkg::OrderBits;
+  localparam int unsigned ShadeBits = OrderBits + ColourBits != 0 ? OrderBits + ColourBits : 1;
 
   // --- Order, D, box and edges ---
   logic edge_valid, edge_ready;
@@ -52,7 +54,7 @@ module hs_triangle_setup #(
   hs_formats_pkg::coord_t x0, y0;
   hs_formats_pkg::delta_t dx1, dy1, dx2, dy2, x, y;
   logic [DepthsBits-1:0] depths;
-  logic [ColoursBits-1:0] colours;
+  logic [ShadeBits-1:0] shade;
 
   hs_edge_setup #(
     .LanesX(LanesX),
@@ -80,7 +82,7 @@ module hs_triangle_setup #(
     .x_o             (x),
     .y_o             (y),
     .depths_o        (depths),
-    .colours_o       (colours)
+    .shade_o         (shade)
   );
 
   if (HasDepth != 0 || Gouraud != 0 || Phong != 0) begin : gen_planes
@@ -104,7 +106,7 @@ module hs_triangle_setup #(
       .x_i               (x),
       .y_i               (y),
       .depths_i          (depths),
-      .colours_i         (colours),
+      .shade_i           (shade),
       .setup_valid_o     (setup_valid_o),
       .setup_ready_i     (setup_ready_i),
       .setup_o           (setup_o),
@@ -121,11 +123,16 @@ module hs_triangle_setup #(
     assign setup_valid_o = edge_valid && !setup_sent_q;
     assign setup_o = edge_setup;
     assign attributes_valid_o = edge_valid && !attributes_sent_q
-                                && (!edge_setup.empty || edge_setup.last);
+                                && (!edge_setup.empty || edge_setup.last || hs_formats_pkg::Deferred != 0);
     assign attributes_o.last = edge_setup.last;
     assign attributes_o.empty = edge_setup.empty;
     assign attributes_o.index = edge_setup.index;
-    assign {attributes_o.r, attributes_o.g, attributes_o.b} = colours;
+    if (ColourBits != 0) begin : gen_flat
+      assign {attributes_o.r, attributes_o.g, attributes_o.b} = shade;
+    end else begin : gen_no_colour
+      logic unused_shade;
+      assign unused_shade = ^shade;
+    end
     assign edge_ready = (!setup_valid_o || setup_ready_i)
                         && (!attributes_valid_o || attributes_ready_i);
 

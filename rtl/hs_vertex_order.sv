@@ -17,7 +17,8 @@ module hs_vertex_order (
   localparam int unsigned KeyBits = 2 * CoordBits;
   // A vertex: position, depth, colours, where it has any.
   localparam int unsigned DepthBits = hs_formats_pkg::DepthBits;
-  localparam int unsigned ColoursBits = hs_formats_pkg::Gouraud * 3 * hs_formats_pkg::ColourBits;
+  localparam int unsigned Colours = hs_formats_pkg::TriangleColourBits != 0 ? 1 : 0;
+  localparam int unsigned ColoursBits = Colours * hs_formats_pkg::Gouraud * 3 * hs_formats_pkg::ColourBits;
   localparam int unsigned ValuesBits = DepthBits + ColoursBits;
   localparam int unsigned VertexBits = KeyBits + ValuesBits;
 
@@ -70,14 +71,14 @@ module hs_vertex_order (
     assign ordered_o.depth2 = out2[ColoursBits+:DepthBits];
   end
 
-  if (hs_formats_pkg::Gouraud != 0) begin : gen_gouraud
+  if (ColoursBits != 0) begin : gen_gouraud
     assign in0[0+:ColoursBits] = {triangle_i.r0, triangle_i.g0, triangle_i.b0};
     assign in1[0+:ColoursBits] = {triangle_i.r1, triangle_i.g1, triangle_i.b1};
     assign in2[0+:ColoursBits] = {triangle_i.r2, triangle_i.g2, triangle_i.b2};
     assign {ordered_o.r0, ordered_o.g0, ordered_o.b0} = out0[0+:ColoursBits];
     assign {ordered_o.r1, ordered_o.g1, ordered_o.b1} = out1[0+:ColoursBits];
     assign {ordered_o.r2, ordered_o.g2, ordered_o.b2} = out2[0+:ColoursBits];
-  end else if (hs_formats_pkg::Phong == 0) begin : gen_flat
+  end else if (Colours != 0) begin : gen_flat
     assign ordered_o.r = triangle_i.r;
     assign ordered_o.g = triangle_i.g;
     assign ordered_o.b = triangle_i.b;

@@ -56,7 +56,8 @@ void Sender::skip_empty() {
 
 void Sender::drive() {
   if (offering_) return;
-  if (!done() && !stall_.next()) {
+  const bool held = allowed_ && words_ >= *allowed_;
+  if (!done() && !held && !stall_.next()) {
     offer();
   } else if (*wires_.valid->bit() != 0) {
     withdraw();
@@ -164,6 +165,7 @@ void Receiver::take(std::uint64_t cycle) {
   if (sink_ && current_ + 1 >= segments_.size()) {
     std::memcpy(sink_->append(), wires_.data->data, std::size_t(wires_.data->bytes));
   }
+  if (listener_) listener_(word_at(*wires_.data, held_.size()).data());
   if (done()) {
     take_surplus();
     return;

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,8 @@ class Sender {
   Sender(const Wires& wires, std::string name, std::uint64_t seed, int stall_percent);
 
   void send(Segment segment);
+  // From now on no word is offered that is not among the first `allowed`, which may grow.
+  void hold(const std::size_t* allowed) { allowed_ = allowed; }
   void drive();
   // Whether a word moved.
   bool sample();
@@ -60,6 +63,7 @@ class Sender {
   std::vector<Segment> segments_;
   std::size_t current_ = 0, position_ = 0, words_ = 0, total_ = 0;
   bool offering_ = false;
+  const std::size_t* allowed_ = nullptr;
 };
 
 class Receiver {
@@ -71,6 +75,8 @@ class Receiver {
   void expect(Segment segment);
   // Keeps what is really received for the last segment of those expected by then.
   void record_last(Words* sink) { sink_ = sink; }
+  // Tells each word that is really received, right or wrong.
+  void on_word(std::function<void(const std::uint32_t*)> listener) { listener_ = std::move(listener); }
   void drive();
   bool sample(std::uint64_t cycle);
   bool done() const { return current_ == segments_.size(); }
@@ -105,6 +111,7 @@ class Receiver {
   std::vector<std::uint32_t> held_;
   bool is_held_ = false, shy_ = false;
   Words* sink_ = nullptr;
+  std::function<void(const std::uint32_t*)> listener_;
 };
 
 }  // namespace halfspace::tb

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The units of Phong shading, each alone, for the bench: as hs_units, which has what every configuration has.
 //
-//   triangle_setup, phong_setup
-//   shade_phong   `light` and `material` words go into its registers and memories, and `normal_planes` words into TdbS,
+//   triangle_setup, visible_select, phong_setup
+//   shade_phong   `light` and `material` words go into its registers and memories, and `planes` words into TdbS,
 //                 before the scan
 module hs_phong_units #(
   parameter int unsigned LanesX = 2,
@@ -33,24 +33,38 @@ module hs_phong_units #(
   input  logic                           triangle_setup_attributes_ready_i,
   output hs_formats_pkg::attributes_t    triangle_setup_attributes_o,
 
+  input  logic                           visible_select_clk_i,
+  input  logic                           visible_select_attributes_valid_i,
+  output logic                           visible_select_attributes_ready_o,
+  input  hs_formats_pkg::attributes_t    visible_select_attributes_i,
+  input  logic                           visible_select_visible_valid_i,
+  output logic                           visible_select_visible_ready_o,
+  input  hs_formats_pkg::visible_t       visible_select_visible_i,
+  output logic                           visible_select_visible_valid_o,
+  input  logic                           visible_select_visible_ready_i,
+  output hs_formats_pkg::visible_t       visible_select_visible_o,
+  output logic                           visible_select_visible_attributes_valid_o,
+  input  logic                           visible_select_visible_attributes_ready_i,
+  output hs_formats_pkg::attributes_t    visible_select_visible_attributes_o,
+
   input  logic                           phong_setup_clk_i,
-  input  logic                           phong_setup_attributes_valid_i,
-  output logic                           phong_setup_attributes_ready_o,
-  input  hs_formats_pkg::attributes_t    phong_setup_attributes_i,
+  input  logic                           phong_setup_visible_attributes_valid_i,
+  output logic                           phong_setup_visible_attributes_ready_o,
+  input  hs_formats_pkg::attributes_t    phong_setup_visible_attributes_i,
   input  logic                           phong_setup_normals_valid_i,
   output logic                           phong_setup_normals_ready_o,
   input  hs_formats_pkg::normals_t       phong_setup_normals_i,
-  output logic                           phong_setup_normal_planes_valid_o,
-  input  logic                           phong_setup_normal_planes_ready_i,
-  output hs_formats_pkg::normal_planes_t phong_setup_normal_planes_o,
+  output logic                           phong_setup_planes_valid_o,
+  input  logic                           phong_setup_planes_ready_i,
+  output hs_formats_pkg::planes_t phong_setup_planes_o,
 
   input  logic                           shade_phong_clk_i,
   input  logic                           shade_phong_light_valid_i,
   input  hs_formats_pkg::light_t         shade_phong_light_i,
   input  logic                           shade_phong_material_valid_i,
   input  hs_formats_pkg::material_t      shade_phong_material_i,
-  input  logic                           shade_phong_normal_planes_valid_i,
-  input  hs_formats_pkg::normal_planes_t shade_phong_normal_planes_i,
+  input  logic                           shade_phong_planes_valid_i,
+  input  hs_formats_pkg::planes_t shade_phong_planes_i,
   input  logic                           shade_phong_scan_valid_i,
   output logic                           shade_phong_scan_ready_o,
   input  logic [ScanBits-1:0]            shade_phong_scan_i,
@@ -77,29 +91,46 @@ module hs_phong_units #(
     .attributes_o      (triangle_setup_attributes_o)
   );
 
+  hs_visible_select u_visible_select (
+    .clk_i                     (visible_select_clk_i),
+    .rst_ni                    (rst_ni),
+    .attributes_valid_i        (visible_select_attributes_valid_i),
+    .attributes_ready_o        (visible_select_attributes_ready_o),
+    .attributes_i              (visible_select_attributes_i),
+    .visible_valid_i           (visible_select_visible_valid_i),
+    .visible_ready_o           (visible_select_visible_ready_o),
+    .visible_i                 (visible_select_visible_i),
+    .visible_valid_o           (visible_select_visible_valid_o),
+    .visible_ready_i           (visible_select_visible_ready_i),
+    .visible_o                 (visible_select_visible_o),
+    .visible_attributes_valid_o(visible_select_visible_attributes_valid_o),
+    .visible_attributes_ready_i(visible_select_visible_attributes_ready_i),
+    .visible_attributes_o      (visible_select_visible_attributes_o)
+  );
+
   hs_phong_setup #(
     .NormalBits(hs_formats_pkg::NormalBits)
   ) u_phong_setup (
     .clk_i                (phong_setup_clk_i),
     .rst_ni               (rst_ni),
-    .attributes_valid_i   (phong_setup_attributes_valid_i),
-    .attributes_ready_o   (phong_setup_attributes_ready_o),
-    .attributes_i         (phong_setup_attributes_i),
+    .attributes_valid_i(phong_setup_visible_attributes_valid_i),
+    .attributes_ready_o   (phong_setup_visible_attributes_ready_o),
+    .attributes_i         (phong_setup_visible_attributes_i),
     .normals_valid_i      (phong_setup_normals_valid_i),
     .normals_ready_o      (phong_setup_normals_ready_o),
     .normals_i            (phong_setup_normals_i),
-    .normal_planes_valid_o(phong_setup_normal_planes_valid_o),
-    .normal_planes_ready_i(phong_setup_normal_planes_ready_i),
-    .normal_planes_o      (phong_setup_normal_planes_o)
+    .planes_valid_o(phong_setup_planes_valid_o),
+    .planes_ready_i(phong_setup_planes_ready_i),
+    .planes_o      (phong_setup_planes_o)
   );
 
-  // shade_phong, with two TdbS banks that `normal_planes` words fill before the scan; `last` ends a frame's words.
+  // shade_phong, with two TdbS banks that `planes` words fill before the scan; `last` ends a frame's words.
   logic read_en, read_bank, read_bank_q, bank_q;
   logic [EntryBits-1:0] read_entry;
   logic [PlanesBits-1:0] read_planes [2];
   logic [EntryBits-1:0] entry;
 
-  assign entry = EntryBits'(shade_phong_normal_planes_i.index) - EntryBits'(1);
+  assign entry = EntryBits'(shade_phong_planes_i.index) - EntryBits'(1);
 
   hs_shade_phong #(
     .LanesX(LanesX),
@@ -129,7 +160,7 @@ module hs_phong_units #(
       bank_q <= 1'b0;
       read_bank_q <= 1'b0;
     end else begin
-      if (shade_phong_normal_planes_valid_i && shade_phong_normal_planes_i.last) bank_q <= !bank_q;
+      if (shade_phong_planes_valid_i && shade_phong_planes_i.last) bank_q <= !bank_q;
       if (read_en) read_bank_q <= read_bank;
     end
   end
@@ -144,9 +175,9 @@ module hs_phong_units #(
       .read_en_i      (read_en && read_bank == 1'(bank)),
       .read_address_i (read_entry),
       .read_data_o    (read_planes[bank]),
-      .write_en_i     (shade_phong_normal_planes_valid_i && !shade_phong_normal_planes_i.empty && bank_q == 1'(bank)),
+      .write_en_i     (shade_phong_planes_valid_i && !shade_phong_planes_i.empty && bank_q == 1'(bank)),
       .write_address_i(entry),
-      .write_data_i   (shade_phong_normal_planes_i[PlanesBits-1:0])
+      .write_data_i   (shade_phong_planes_i[PlanesBits-1:0])
     );
   end
 endmodule

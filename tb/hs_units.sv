@@ -124,12 +124,16 @@ module hs_units #(
     .attributes_o      (triangle_setup_attributes_o)
   );
 
+  logic unused_colours_ready;
   hs_shade_setup u_shade_setup (
     .clk_i             (shade_setup_clk_i),
     .rst_ni            (rst_ni),
     .attributes_valid_i(shade_setup_attributes_valid_i),
     .attributes_ready_o(shade_setup_attributes_ready_o),
     .attributes_i      (shade_setup_attributes_i),
+    .colours_valid_i   (1'b0),
+    .colours_ready_o   (unused_colours_ready),
+    .colours_i         ('0),
     .planes_valid_o    (shade_setup_planes_valid_o),
     .planes_ready_i    (shade_setup_planes_ready_i),
     .planes_o          (shade_setup_planes_o)

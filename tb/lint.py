@@ -14,13 +14,11 @@ import sys
 
 TOPS = ["hs_triangle_setup", "hs_shade_setup", "hs_raster_pineda", "hs_ztest_index", "hs_ztest_plane", "hs_scan_index",
         "hs_shade_gouraud", "hs_pipeline"]
-# Units of configurations with lighting alone, and their bench, which gives them the types of the package.
-LIT_TOPS = ["hs_light_vertex", "hs_phong_setup", "hs_shade_phong"]
-LIT_BENCH = "hs_light_units"
+# What configurations with lighting have: a bench with the units that others have not, and the pipeline.
+LIT_TOPS = ["hs_light_units", "hs_pipeline"]
+PHONG_TOPS = ["hs_phong_units", "hs_pipeline"]
 LIT_PACKAGE = re.compile(r"\bLights = [1-9]")
-# Of Phong shading there are these units, and no others yet.
-PHONG_BENCH = "hs_phong_units"
-PHONG_PACKAGE = re.compile(r"\bNormalFraction = ")
+PHONG_PACKAGE = re.compile(r"\bPhong = 1;")
 CONFIGS = ["low", "middle", "high"]
 STAMPS = [(1, 1), (2, 2), (4, 4)]
 
@@ -28,11 +26,11 @@ STAMPS = [(1, 1), (2, 2), (4, 4)]
 def lint(args, root, package, top, lanes):
     """What Verilator says, or '' if nothing."""
     bench = pathlib.Path(__file__).parent
-    source = (bench if top in (LIT_BENCH, PHONG_BENCH) else root) / f"{top}.sv"
+    source = (root if (root / f"{top}.sv").exists() else bench) / f"{top}.sv"
     text = source.read_text()
     command = [args.verilator, "--lint-only", "-Wall", "--top-module", top,
                str(pathlib.Path(__file__).with_name("lint.vlt")), str(package), str(source), "-y", str(root)]
-    if top == PHONG_BENCH:
+    if source.parent == bench:
         command += ["-y", str(bench)]
     if re.search(r"\bparameter\b[^,;)]*\bLanesX\b", text):
         command += [f"-GLanesX={lanes[0]}", f"-GLanesY={lanes[1]}"]
@@ -68,19 +66,15 @@ def main():
             print(f"lint: {root}/{top}.sv is missing")
             faults += 1
             continue
-        for package in packages:
-            if not PHONG_PACKAGE.search(package.read_text()):
-                todo += [(top, package, lanes) for lanes in STAMPS]
     for package in packages:
-        if PHONG_PACKAGE.search(package.read_text()):
-            todo += [(PHONG_BENCH, package, lanes) for lanes in STAMPS]
-        elif LIT_PACKAGE.search(package.read_text()):
-            todo.append((LIT_BENCH, package, STAMPS[0]))
+        text = package.read_text()
+        tops = PHONG_TOPS if PHONG_PACKAGE.search(text) else LIT_TOPS if LIT_PACKAGE.search(text) else TOPS
+        todo += [(top, package, lanes) for top in tops for lanes in STAMPS]
     for top, package, lanes in todo:
         if output := lint(args, root, package, top, lanes):
             print(f"lint: {top}, {package}, {lanes[0]}x{lanes[1]}:\n{output}")
             faults += 1
-    seen = set().union(*(reached(root, top) for top in TOPS + LIT_TOPS))
+    seen = set().union(*(reached(root, top) for top in TOPS))
     for path in sorted(root.glob("hs_*.sv")):
         if path.stem not in seen:
             print(f"lint: no unit uses {path}: remove it, or add its unit to TOPS in tb/lint.py")

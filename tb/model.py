@@ -46,8 +46,6 @@ def build(package, lanes, top, out, libraries, rtl=TB.parent / "rtl", verilator=
     lanes_x = LANES_X[lanes]
     lanes_y = lanes // lanes_x
     sources = sorted(rtl.glob("hs_*.sv"))
-    if top == "hs_phong_units":  # whose package has no type of colour planes
-        sources = [path for path in sources if path.name not in ("hs_pipeline.sv", "hs_shade_setup.sv")]
     sources += {"hs_units": [TB / "hs_units.sv", TB / "hs_bench_ram.sv"], "hs_pipeline": [],
                 "hs_phong_units": [TB / "hs_phong_units.sv", TB / "hs_bench_ram.sv"]}.get(top, [TB / f"{top}.sv"])
     if yosys:

@@ -2,6 +2,7 @@
 #include "pipeline.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 namespace halfspace::tb {
 namespace {
@@ -33,6 +34,29 @@ Segment segment_of(const Stream& stream, const Turn& turn) {
   return {&stream, begin, begin + stream.frame_words[turn.frame], turn.frame, turn.note};
 }
 
+// Whether a stream, if there is one, has the same words in two frames.
+bool same_words(const Vectors& vectors, const char* name, std::size_t a, std::size_t b) {
+  const Stream* const stream = vectors.find(name);
+  if (stream == nullptr) return true;
+  const Segment first = segment_of(*stream, {a, ""}), second = segment_of(*stream, {b, ""});
+  if (first.end - first.begin != second.end - second.begin) return false;
+  for (std::size_t n = 0; n < first.end - first.begin; ++n) {
+    if (std::memcmp(stream->words[first.begin + n], stream->words[second.begin + n], stream->words.parts() * 4) != 0) return false;
+  }
+  return true;
+}
+
+// Whether one frame may follow the other without a pause: registers, lights and materials are the same.
+bool may_follow(const Vectors& vectors, std::size_t a, std::size_t b) {
+  return same_registers(vectors.frames[a], vectors.frames[b]) && same_words(vectors, "light", a, b) && same_words(vectors, "material", a, b);
+}
+
+// What geometry has heard of the triangles, and may send for it.
+struct Geometry {
+  std::size_t triangles = 0;  // the triangle after a window of those whose results are known
+  std::size_t normals = 0;    // a word for each visible one
+};
+
 // Of the last frame.
 Bound bound_of(const Vectors& vectors, int setup_interval) {
   Bound bound;
@@ -62,16 +86,33 @@ Result run_pipeline(Model* model, const Vectors& vectors, const Options& options
   Bench bench(model, &vectors, &options, "", "clk_i");
   const std::uint8_t* const busy = model->need("busy_o", 1).bit();
   Sender* triangles = nullptr;
+  std::vector<std::pair<const Stream*, Sender*>> senders, loads;
+  Geometry geometry;
+  geometry.triangles = vectors.window;
   std::vector<std::pair<const Stream*, Receiver*>> receivers;
   Receiver* pixel = nullptr;
   bool scans = false;
   for (const Stream& stream : vectors.streams) {
-    if (stream.name == "triangle") {
-      triangles = &bench.add_sender(stream);
+    if (stream.name == "triangle" || stream.name == "normals") {
+      Sender& sender = bench.add_sender(stream);
+      if (stream.name == "triangle") triangles = &sender;
+      senders.emplace_back(&stream, &sender);
+      if (stream.name == "normals") sender.hold(&geometry.normals);
+      continue;
+    }
+    if (stream.name == "light" || stream.name == "material") {
+      loads.emplace_back(&stream, &bench.add_sender(stream));
       continue;
     }
     receivers.emplace_back(&stream, &bench.add_receiver(stream));
     if (stream.name == "pixel") pixel = receivers.back().second;
+    if (stream.name == "visible") {
+      const Field& visible = stream.need("visible", "the answers of geometry");
+      receivers.back().second->on_word([&geometry, &visible](const std::uint32_t* word) {
+        ++geometry.triangles;
+        geometry.normals += visible.raw(word) != 0;
+      });
+    }
     scans = scans || stream.name == "scan";
   }
   if (triangles == nullptr || pixel == nullptr || !scans) {
@@ -79,18 +120,21 @@ Result run_pipeline(Model* model, const Vectors& vectors, const Options& options
                 "/manifest.json: lacks one of the streams triangle, scan and pixel; make the set again");
   }
 
+  if (vectors.window != 0) triangles->hold(&geometry.triangles);
+
   const Stopwatch stopwatch;
   bench.reset();
   const std::vector<Turn> turns = turns_of(vectors, options.frames);
-  const Stream& triangle = *vectors.find("triangle");
   bool ran = true;
   for (std::size_t first = 0; first < turns.size() && ran;) {
-    const Frame& registers = vectors.frames[turns[first].frame];
-    std::size_t end = first;
-    while (end < turns.size() && same_registers(registers, vectors.frames[turns[end].frame])) ++end;
-    bench.set_frame(registers);
+    std::size_t end = first + 1;
+    while (end < turns.size() && may_follow(vectors, turns[first].frame, turns[end].frame)) ++end;
+    bench.set_frame(vectors.frames[turns[first].frame]);
+    for (const auto& [stream, sender] : loads) sender->send(segment_of(*stream, turns[first]));
+    if (!loads.empty()) ran = bench.run([&] { return bench.all_done(); }, options.hang);
+    bench.idle(1);
     for (std::size_t turn = first; turn < end; ++turn) {
-      triangles->send(segment_of(triangle, turns[turn]));
+      for (const auto& [stream, sender] : senders) sender->send(segment_of(*stream, turns[turn]));
       for (const auto& [stream, receiver] : receivers) receiver->expect(segment_of(*stream, turns[turn]));
     }
     if (end == turns.size()) {
@@ -103,7 +147,7 @@ Result run_pipeline(Model* model, const Vectors& vectors, const Options& options
       }
     }
     const auto done = [&] { return bench.all_done() && *busy == 0; };
-    if (first == 0) ran = bench.run([&] { return triangles->words() > 0; }, std::max(options.hang, kResetPatience));
+    if (first == 0) ran = ran && bench.run([&] { return triangles->words() > 0; }, std::max(options.hang, kResetPatience));
     ran = ran && bench.run(done, options.hang);
     bench.idle(kPause);
     first = end;

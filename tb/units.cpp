@@ -25,6 +25,7 @@ struct Unit {
 
 const Unit kUnits[] = {
     {"triangle_setup", "triangle_setup_", {"triangle"}, {"setup", "attributes"}, {}, false},
+    {"visible_select", "visible_select_", {"attributes", "visible"}, {"visible", "visible_attributes"}, {}, false},
     {"shade_setup", "shade_setup_", {"attributes"}, {"planes"}, {}, false},
     {"raster_pineda", "raster_pineda_", {"setup"}, {"triangle_depth", "stamp"}, {}, false},
     {"ztest_index", "ztest_", {"stamp"}, {"update", "visible"}, {}, true},
@@ -32,8 +33,8 @@ const Unit kUnits[] = {
     {"scan_index", "scan_index_", {}, {"scan"}, {"update"}, false},  // and a start token a frame: run_scan
     {"shade_gouraud", "shade_gouraud_", {"scan"}, {"pixel"}, {"planes"}, false},
     {"light_vertex", "light_vertex_", {"normals"}, {"colours"}, {"light", "material"}, false},
-    {"phong_setup", "phong_setup_", {"attributes", "normals"}, {"normal_planes"}, {}, false},
-    {"shade_phong", "shade_phong_", {"scan"}, {"pixel"}, {"light", "material", "normal_planes"}, false},
+    {"phong_setup", "phong_setup_", {"visible_attributes", "normals"}, {"planes"}, {}, false},
+    {"shade_phong", "shade_phong_", {"scan"}, {"pixel"}, {"light", "material", "planes"}, false},
 };
 
 // The units of the configuration that a vector set is of: its streams tell which Z-test it has, and a stream that it has not
@@ -44,6 +45,7 @@ std::vector<Unit> units_of(const Vectors& vectors) {
   for (const Unit& unit : kUnits) {
     if (std::strcmp(unit.name, tests_planes ? "ztest_index" : "ztest_plane") == 0) continue;
     units.push_back(unit);
+    if (std::strcmp(unit.name, "shade_setup") == 0 && vectors.find("colours")) units.back().sends = {"visible_attributes", "colours"};
     auto& expects = units.back().expects;
     if (!tests_planes) expects.erase(std::remove(expects.begin(), expects.end(), std::string("triangle_depth")), expects.end());
   }

@@ -171,6 +171,7 @@ Vectors load_manifest(const std::string& directory) {
   vectors.config = top.at("config").text();
   vectors.lanes_x = int(top.at("lanes_x").integer(1, 16));
   vectors.lanes_y = int(top.at("lanes_y").integer(1, 16));
+  if (top.has("window")) vectors.window = std::size_t(top.at("window").integer(0, 1 << 22));
   for (const Place& item : top.at("frames").items()) {
     Frame frame;
     frame.width = std::uint32_t(item.at("width").integer(1, 65535));

@@ -57,6 +57,7 @@ inline bool same_registers(const Frame& a, const Frame& b) {
 struct Vectors {
   std::string directory, scene, config;
   int lanes_x = 0, lanes_y = 0;
+  std::size_t window = 0;  // not 0: a triangle may take the index of the one so many before it, and waits until that is done
   std::vector<Frame> frames;
   std::vector<Stream> streams;
 

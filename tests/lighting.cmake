@@ -1,5 +1,5 @@
-# Configurations with lighting (lit_configs.hpp, configs/lit_*.toml): the top of light_vertex, its RTL against the kernels on
-# corner cases, random normals and the normals of scenes, lint, and what Yosys finds in it.
+# Configurations with lighting (lit_configs.hpp, configs/lit_*.toml, phong_*.toml): the tops, units and pipeline of the RTL against
+# the kernels on corner cases, random triangles and normals and on scenes, lint, and what Yosys finds.
 foreach(config IN ITEMS LitHigh LitMatte)
   halfspace_tops_test(light_tops_test_${config} light_tops_test.cpp ${config} lit_configs.hpp
                       ${PROJECT_SOURCE_DIR}/hls/top/light_vertex_top.cpp)
@@ -47,17 +47,17 @@ add_test(NAME light_netlist_lit_high COMMAND Python3::Interpreter ${cosim_tool} 
 
 # Multipliers: three a dot product, of which there are |n|² and one or two a light; the root's; a cosine's and a channel's for
 # diffuse light and for highlights; the squarings. Memories: the materials, and their exponents.
-function(halfspace_lighting_left name multipliers memories)
+function(halfspace_lighting_left name vertices multipliers memories)
   set(package ${CMAKE_CURRENT_BINARY_DIR}/model_light_units_${name}_4/hs_formats_pkg.sv)
   file(GLOB units CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/rtl/hs_*.sv)
-  string(REPLACE ";" " " sources "${package};${units};${PROJECT_SOURCE_DIR}/tb/hs_light_units.sv")
+  string(REPLACE ";" " " sources "${package};${units}")
   add_test(NAME synthesis_${name} COMMAND ${HALFSPACE_YOSYS} -q -p
-    "read_verilog -sv ${sources}; hierarchy -check -top hs_light_units; proc; opt; check -assert; flatten; opt; memory_collect; select -assert-count ${multipliers} t:$mul; select -assert-count ${memories} t:$mem_v2; select -assert-none t:$div t:$mod")
+    "read_verilog -sv ${sources}; hierarchy -check -top hs_light_vertex -chparam Vertices ${vertices}; proc; opt; check -assert; flatten; opt; memory_collect; select -assert-count ${multipliers} t:$mul; select -assert-count ${memories} t:$mem_v2; select -assert-none t:$div t:$mod")
 endfunction()
-halfspace_lighting_left(lit_low 22 2)
-halfspace_lighting_left(lit_middle 21 2)
-halfspace_lighting_left(lit_high 22 2)
-halfspace_lighting_left(lit_matte 11 1)
+halfspace_lighting_left(lit_low 3 22 2)
+halfspace_lighting_left(lit_middle 3 21 2)
+halfspace_lighting_left(lit_high 3 22 2)
+halfspace_lighting_left(lit_matte 1 11 1)
 
 # Phong shading: the tops, and its units against the kernels.
 halfspace_tops_test(phong_tops_test phong_tops_test.cpp PhongLow lit_configs.hpp
@@ -85,3 +85,24 @@ add_test(NAME faults_phong COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tb
   --work ${CMAKE_CURRENT_BINARY_DIR}/faults_phong --jobs 2 --library $<TARGET_FILE:halfspace_tb>
   --library $<TARGET_FILE:halfspace_verilated> --verilator ${HALFSPACE_VERILATOR} --cxx ${CMAKE_CXX_COMPILER})
 set_tests_properties(faults_phong PROPERTIES PROCESSORS 2 TIMEOUT 1800)
+
+# The pipeline with deferred lighting: sizes, architectures and shadings; all of them with label `long`.
+function(halfspace_matrix name lanes seeds)
+  add_test(NAME ${name} COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/matrix_test.py $<TARGET_FILE:halfspace>
+    ${CMAKE_CURRENT_BINARY_DIR}/${name} ${ARGN} --lanes ${lanes} --seeds ${seeds} --jobs 2
+    --library $<TARGET_FILE:halfspace_tb> --library $<TARGET_FILE:halfspace_verilated> --verilator ${HALFSPACE_VERILATOR} --cxx ${CMAKE_CXX_COMPILER})
+  set_tests_properties(${name} PROPERTIES PROCESSORS 2 TIMEOUT 7200)
+endfunction()
+halfspace_matrix(matrix 4 2 low-delta-gouraud low-gamma-phong middle-gamma-flat middle-delta-phong high-delta-gouraud high-gamma-phong)
+halfspace_matrix(matrix_1 1 2 low-delta-phong middle-gamma-gouraud)
+halfspace_matrix(matrix_16 16 2 low-gamma-gouraud middle-delta-flat)
+set(all "")
+foreach(size IN ITEMS low middle high)
+  foreach(architecture IN ITEMS delta gamma)
+    foreach(shading IN ITEMS flat gouraud phong)
+      list(APPEND all ${size}-${architecture}-${shading})
+    endforeach()
+  endforeach()
+endforeach()
+halfspace_matrix(matrix_long 4 10 ${all})
+set_tests_properties(matrix_long PROPERTIES LABELS long)

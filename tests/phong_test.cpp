@@ -12,7 +12,7 @@
 #include "tests/lit_configs.hpp"
 #include "vectors/engine_impl.hpp"
 #include "vectors/format_fields.hpp"
-#include "vectors/phong.hpp"
+#include "vectors/frame_lighting.hpp"
 #include "vectors/phong_bounds.hpp"
 #include "vectors/standard_set.hpp"
 
@@ -164,7 +164,7 @@ SceneResult compare_scene(const std::string& name, bool polished, const Config& 
   ref::Geometry geometry(scene, {width, height, config.range_bits, config.subpixel_bits});
   const ref::SnappedList list = ref::snap(geometry.positions(), vectors::raster_format(configuration));
   const auto engine = vectors::make_engine(configuration, 4);
-  engine->light(vectors::phong_lighting(geometry, config));
+  engine->light(vectors::frame_lighting(geometry, config));
   const ref::Frame got = engine->render(list);
   const auto surface = ref::lit_surface(geometry, list, ref::ShadingMode::kPhong);
   const ref::Drawing want = ref::draw(list, *surface, ref::Architecture::kDelta);

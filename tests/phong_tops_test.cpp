@@ -9,7 +9,7 @@
 #include "vectors/engine.hpp"
 #include "vectors/field_value.hpp"
 #include "vectors/lighting_records.hpp"
-#include "vectors/phong.hpp"
+#include "vectors/frame_lighting.hpp"
 #include "vectors/standard_set.hpp"
 
 using TopNormalDatabase = halfspace::NormalDatabase<halfspace::TopFormats>;

@@ -3,7 +3,7 @@
 
 #include "vectors/bounds_measure.hpp"
 #include "vectors/engine.hpp"
-#include "vectors/phong.hpp"
+#include "vectors/frame_lighting.hpp"
 #include "vectors/standard_set.hpp"
 
 namespace halfspace::vectors {

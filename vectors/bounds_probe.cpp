@@ -42,7 +42,7 @@ class RuntimeProbe : public KernelProbe {
     setup_ = setup_out_.read();
     if (raw(setup_.empty)) return {};
     if (F::kPhong) return plain(area_reciprocal<F>(order_vertices<F>(t).area), normal_planes(in));
-    shade_setup(attributes_, planes_);
+    set_colours(t);
     const Planes<F> planes = planes_.read();
     planes_.write(planes);
     store_planes(planes_, *database_);
@@ -81,6 +81,15 @@ class RuntimeProbe : public KernelProbe {
   }
 
  private:
+  // The attributes' planes: colours come with them, or as those of a triangle that was lit.
+  void set_colours(const Triangle<F>& in) {
+    if (!F::kHasLighting) return shade_setup(attributes_, planes_);
+    Colours<F> colours{};
+    for (int v = 0; v < 3; ++v) colours.r[v] = in.r[v], colours.g[v] = in.g[v], colours.b[v] = in.b[v];
+    colours_.write(colours);
+    shade_setup(attributes_, colours_, planes_);
+  }
+
   NormalPlanes<F> normal_planes(const ref::SnappedTriangle& in) {
     const int offset = 1 << config_.normal_bits;
     Normals<F> normals{};
@@ -145,6 +154,7 @@ class RuntimeProbe : public KernelProbe {
   Stream<Attributes<F>> attributes_;
   Stream<Planes<F>> planes_;
   Stream<Normals<F>> normals_;
+  Stream<Colours<F>> colours_;
   Stream<NormalPlanes<F>> normal_planes_out_;
   NormalPlanes<F> normal_planes_{};
   Stream<Stamp<F>> stamp_;

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "ref/raster.hpp"
 #include "hls/records.hpp"
+#include "ref/raster.hpp"
 #include "ref/snap.hpp"
 #include "vectors/configuration.hpp"
 #include "vectors/layout.hpp"
@@ -26,11 +26,16 @@ class Engine {
 
   virtual int lanes_x() const = 0;
   virtual int lanes_y() const = 0;
-  // In flow order: triangle, setup, attributes, planes or normals and normal_planes, triangle_depth if there is one, stamp, update, visible, scan, pixel.
+  // In flow order: triangle, setup, attributes, planes, triangle_depth if there is one, stamp, update, visible, scan, pixel. With
+  // lighting light and material stand first, and before planes visible_attributes, normals and, but for Phong shading, colours.
   virtual std::vector<Layout> layouts() const = 0;
 
-  // Phong shading alone, and before a frame is drawn: its lights, its materials, and the normals of its triangles.
+  // Of a configuration with lighting, before a frame is drawn: its lights, its materials, and the normals of its triangles.
   virtual void light(const LightingFrame& frame) = 0;
+
+  // Not 0: from now on indices of invisible triangles are used again, by the rule of ref::IndexReuse with this window, and a frame
+  // may have more triangles than there are indices. render() throws ref::Error when they are used up.
+  virtual void reuse_indices(int window) = 0;
 
   // Renders with the kernels. exact_depth and exact_colour stay empty.
   virtual ref::Frame render(const ref::SnappedList& scene) = 0;

@@ -9,6 +9,7 @@
 
 #include "hls/pipeline.hpp"
 #include "ref/error.hpp"
+#include "ref/index_pool.hpp"
 #include "vectors/engine.hpp"
 #include "vectors/lighting_records.hpp"
 
@@ -21,9 +22,13 @@ class KernelEngine : public Engine {
   int lanes_y() const override { return F::kLanesY; }
 
   std::vector<Layout> layouts() const override {
-    std::vector<Layout> layouts = {layout<Triangle<F>>(), layout<Setup<F>>(), layout<Attributes<F>>()};
-    if (F::kPhong) layouts.push_back(layout<Normals<F>>()), layouts.push_back(layout<NormalPlanes<F>>());
-    else layouts.push_back(layout<Planes<F>>());
+    std::vector<Layout> layouts;
+    if (F::kHasLighting) layouts = {layout<Light<F>>(), layout<Material<F>>()};
+    for (const Layout& next : {layout<Triangle<F>>(), layout<Setup<F>>(), layout<Attributes<F>>()}) layouts.push_back(next);
+    if (F::kDeferred) layouts.push_back(visible_attributes_layout());
+    if (F::kHasLighting) layouts.push_back(layout<Normals<F>>());
+    if (F::kHasLighting && !F::kPhong) layouts.push_back(layout<Colours<F>>());
+    layouts.push_back(F::kPhong ? layout<NormalPlanes<F>>() : layout<Planes<F>>());
     if (F::kTestsPlanes) layouts.push_back(layout<TriangleDepth<F>>());
     for (const Layout& next : {layout<Stamp<F>>(), layout<Update<F>>(), layout<Visible<F>>(), layout<Scan<F>>(),
                                layout<Pixel<F>>()}) {
@@ -33,10 +38,12 @@ class KernelEngine : public Engine {
   }
 
   void light(const LightingFrame& frame) override {
-    load_lights<F>(frame, buffers_->lights);
-    load_materials<F>(frame, buffers_->materials);
+    lights_ = load_lights<F>(frame, buffers_->lights);
+    materials_ = load_materials<F>(frame, buffers_->materials);
     normals_ = frame.triangles;
   }
+
+  void reuse_indices(int window) override { window_ = std::uint32_t(window); }
 
   ref::Frame render(const ref::SnappedList& scene) override {
     ref::Frame frame;
@@ -70,8 +77,10 @@ class KernelEngine : public Engine {
     std::vector<Triangle<F>> triangle;
     std::vector<Setup<F>> setup;
     std::vector<Attributes<F>> attributes;
-    std::vector<Planes<F>> planes;
+    std::vector<Attributes<F>> visible_attributes;
     std::vector<Normals<F>> normals;
+    std::vector<Colours<F>> colours;
+    std::vector<Planes<F>> planes;
     std::vector<NormalPlanes<F>> normal_planes;
     std::vector<TriangleDepth<F>> triangle_depth;
     std::vector<Stamp<F>> stamp;
@@ -80,14 +89,20 @@ class KernelEngine : public Engine {
     std::vector<Scan<F>> scan;
     std::vector<Pixel<F>> pixel;
     s.triangle.tap(&triangle), s.setup.tap(&setup), s.attributes.tap(&attributes), s.planes.tap(&planes);
-    s.normals.tap(&normals), s.normal_planes.tap(&normal_planes), s.triangle_depth.tap(&triangle_depth);
+    s.visible_attributes.tap(&visible_attributes), s.normals.tap(&normals), s.colours.tap(&colours);
+    s.normal_planes.tap(&normal_planes), s.triangle_depth.tap(&triangle_depth);
     s.stamp.tap(&stamp), s.update.tap(&update), s.visible.tap(&visible), s.scan.tap(&scan), s.pixel.tap(&pixel);
     render(scene);
     s.triangle.tap(nullptr), s.setup.tap(nullptr), s.attributes.tap(nullptr), s.planes.tap(nullptr);
-    s.normals.tap(nullptr), s.normal_planes.tap(nullptr), s.triangle_depth.tap(nullptr);
+    s.visible_attributes.tap(nullptr), s.normals.tap(nullptr), s.colours.tap(nullptr);
+    s.normal_planes.tap(nullptr), s.triangle_depth.tap(nullptr);
     s.stamp.tap(nullptr), s.update.tap(nullptr), s.visible.tap(nullptr), s.scan.tap(nullptr), s.pixel.tap(nullptr);
+    if (F::kHasLighting) tell(lights_, sink), tell(materials_, sink);
     tell(triangle, sink), tell(setup, sink), tell(attributes, sink);
-    if (F::kPhong) tell(normals, sink), tell(normal_planes, sink);
+    if (F::kDeferred) tell(visible_attributes, sink, visible_attributes_layout());
+    if (F::kHasLighting) tell(normals, sink);
+    if (F::kHasLighting && !F::kPhong) tell(colours, sink);
+    if (F::kPhong) tell(normal_planes, sink);
     else tell(planes, sink);
     if (F::kTestsPlanes) tell(triangle_depth, sink);
     tell(stamp, sink), tell(update, sink), tell(visible, sink), tell(scan, sink), tell(pixel, sink);
@@ -105,9 +120,18 @@ class KernelEngine : public Engine {
     return values;
   }
 
+  static Layout visible_attributes_layout() {
+    Layout result = layout<Attributes<F>>();
+    result.stream = "visible_attributes";
+    return result;
+  }
+
   template <class Record>
   static void tell(const std::vector<Record>& records, const WordSink& sink) {
-    const Layout words_layout = layout<Record>();
+    tell(records, sink, layout<Record>());
+  }
+  template <class Record>
+  static void tell(const std::vector<Record>& records, const WordSink& sink, const Layout& words_layout) {
     std::vector<Word> words;
     words.reserve(records.size());
     for (const Record& record : records) words.push_back(pack(record, words_layout.bits));
@@ -126,21 +150,23 @@ class KernelEngine : public Engine {
 
   // Draws all triangles into the buffers.
   void draw(const ref::SnappedList& scene, std::vector<bool>* visible) {
-    if (scene.width > F::kWidth || scene.height > F::kHeight || scene.triangles.size() > std::size_t(F::kTriangles)) {
+    const bool too_many = window_ == 0 && scene.triangles.size() > std::size_t(F::kTriangles);
+    if (scene.width > F::kWidth || scene.height > F::kHeight || too_many) {
       throw ref::Error("a frame is larger than the configuration that is to draw it: snap it for that configuration");
     }
-    if (F::kPhong && normals_.size() != scene.triangles.size()) {
-      throw ref::Error("Phong shading lights pixels, and the triangles came without normals: choose shading gouraud or flat");
+    if (F::kHasLighting && normals_.size() != scene.triangles.size()) {
+      throw ref::Error("the configuration lights triangles, and these came without normals: take one without lights");
     }
     if (visible) visible->resize(scene.triangles.size());
     const Frame<F> registers = frame_registers(scene);
     const std::size_t count = scene.triangles.size();
+    ref::IndexPool pool({window_, std::uint32_t(F::kTriangles)});
     for (std::size_t k = 0; k < std::max<std::size_t>(count, 1); ++k) {
       Triangle<F> t{};
       t.last = from_raw<Bit>(k + 1 >= count);
       if (k < count) {
         const ref::SnappedTriangle& in = scene.triangles[k];
-        t.index = from_raw<typename F::Index>(k + 1);
+        t.index = from_raw<typename F::Index>(pool.take());
         for (int v = 0; v < 3; ++v) {
           t.x[v] = from_raw<typename F::Coord>(in.x[v]);
           t.y[v] = from_raw<typename F::Coord>(in.y[v]);
@@ -151,11 +177,13 @@ class KernelEngine : public Engine {
         }
       }
       streams_->triangle.write(t);
-      if (F::kPhong) {
-        streams_->normals.write(normals_record<F>(k < count ? normals_[k] : RawNormals{}, int(raw(t.index)), k + 1 >= count));
-      }
       pipeline_triangle(registers, *streams_, *buffers_);
       const Visible<F> done = streams_->visible.read();
+      if (F::kHasLighting && raw(done.visible)) {
+        streams_->normals.write(normals_record<F>(normals_[k], int(raw(done.index)), raw(done.last) != 0));
+      }
+      pipeline_planes(*streams_, *buffers_);
+      pool.done(std::uint32_t(raw(done.index)), raw(done.visible) != 0);
       if (visible && k < count) (*visible)[k] = raw(done.visible) != 0;
     }
   }
@@ -222,7 +250,11 @@ class KernelEngine : public Engine {
 
   std::unique_ptr<Streams<F>> streams_ = std::make_unique<Streams<F>>();
   std::unique_ptr<Buffers<F>> buffers_ = std::make_unique<Buffers<F>>();
-  std::vector<RawNormals> normals_;  // Phong: of the triangles of the next frames
+  std::uint32_t window_ = 0;  // of index reuse
+  // Of the next frames.
+  std::vector<Light<F>> lights_;
+  std::vector<Material<F>> materials_;
+  std::vector<RawNormals> normals_;
 };
 
 // make(stamp) for the stamp of this many lanes; null if there is none.

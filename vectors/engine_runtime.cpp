@@ -24,6 +24,7 @@ class RuntimeEngine : public Engine {
     activate();
     kernels_->light(frame);
   }
+  void reuse_indices(int window) override { kernels_->reuse_indices(window); }
   ref::Frame render(const ref::SnappedList& scene) override {
     activate();
     return kernels_->render(scene);

@@ -227,7 +227,7 @@ MemoryBits memory_bits(const Configuration& configuration) {
   const std::uint64_t pixels = std::uint64_t(c.width) * c.height;
   std::uint64_t planes = 0;
   for (const Layout& layout : make_engine(configuration, 1)->layouts()) {
-    if (layout.stream != "planes" && layout.stream != "normal_planes") continue;
+    if (layout.stream != "planes") continue;
     // Colours and gradients; the rest of the record is its address.
     for (const Field& field : layout.fields) {
       if (field.name != "last" && field.name != "empty" && field.name != "index") planes += field.width * field.count;

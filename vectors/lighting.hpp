@@ -59,9 +59,7 @@ class LightingEngine {
  public:
   virtual ~LightingEngine() = default;
 
-  // light, material, normals, colours; with Phong shading, where pixels are lit, the first two.
-  virtual std::vector<Layout> layouts() const = 0;
-  // The words of each stream of a frame, in this order.
+  // The words of each stream of a frame: light, material, normals, colours.
   virtual void capture(const LightingFrame& frame,
                        const std::function<void(const Layout&, const Word*, std::size_t count)>& sink) = 0;
   // [triangle][vertex][channel] before rounding, as raw bits of light_sum; of a flat triangle, vertex 0 alone.

@@ -16,10 +16,6 @@ class RuntimeLighting : public LightingEngine {
     kernels_ = std::make_unique<LightingKernels<F>>();
   }
 
-  std::vector<Layout> layouts() const override {
-    activate();
-    return kernels_->layouts();
-  }
   void capture(const LightingFrame& frame, const LightingKernels<F>::Sink& sink) override {
     activate();
     kernels_->capture(frame, sink);

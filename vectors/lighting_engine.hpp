@@ -13,15 +13,9 @@ class LightingKernels : public LightingEngine {
  public:
   using Sink = std::function<void(const Layout&, const Word*, std::size_t count)>;
 
-  std::vector<Layout> layouts() const override {
-    if (F::kPhong) return {layout<Light<F>>(), layout<Material<F>>()};
-    return {layout<Light<F>>(), layout<Material<F>>(), layout<Normals<F>>(), layout<Colours<F>>()};
-  }
-
   void capture(const LightingFrame& frame, const Sink& sink) override {
     tell(load_lights(frame, lights_), sink);
     tell(load_materials(frame, materials_), sink);
-    if (F::kPhong) return;
     std::vector<Normals<F>> normals;
     for (std::size_t n = 0; n < frame.triangles.size(); ++n) normals.push_back(record(frame, n));
     tell(normals, sink);

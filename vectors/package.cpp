@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "hls/reciprocal_sqrt.hpp"
+#include "hls/records.hpp"
 #include "vectors/engine.hpp"
-#include "vectors/lighting.hpp"
 
 namespace halfspace::vectors {
 namespace {
@@ -55,38 +57,46 @@ std::string root_table_text() {
   return text;
 }
 
-// What lighting adds: numbers, the table of the reciprocal root, types and records. Nothing without it.
-std::string lighting_text(const Config& c) {
-  if (!has_lighting(c)) return "";
+// The bits of a stream; 1 of one that there is not, as a port has that many at least.
+int word_bits(const std::vector<Layout>& layouts, const char* stream) {
+  const auto found = std::find_if(layouts.begin(), layouts.end(), [&](const Layout& l) { return l.stream == stream; });
+  return found == layouts.end() ? 1 : found->bits;
+}
+
+// The numbers of lighting; without it 0, but for ports.
+std::string lighting_text(const Config& c, const std::vector<Layout>& layouts) {
   const FormatTable t = format_table(c);
-  const std::vector<Layout> layouts = make_lighting_engine(c)->layouts();
-  std::string text = constants_text({{"NormalBits", t.normal.width},
-                                     {"Lights", c.lights},
-                                     {"LightBits", t.light.width},
-                                     {"Materials", c.materials},
-                                     {"MaterialBits", t.material.width},
-                                     {"HasGloss", has_gloss(c)},
-                                     {"Squarings", exact_log2(c.gloss)},
-                                     {"GlossBits", has_gloss(c) ? t.gloss.width : 0},
-                                     {"DirectionBits", t.direction.width},
-                                     {"SquaredLengthBits", t.squared_length.width},
-                                     {"RootIndexBits", kRootIndexBits},
-                                     {"RootOffsetBits", kRootOffsetBits},
-                                     {"RootValueFraction", kRootValueFraction},
-                                     {"RootSlopeBits", kRootSlopeBits},
-                                     {"RootBits", t.root.width},
-                                     {"RootShiftBits", t.root_shift.width},
-                                     {"DotBits", t.dot.width},
-                                     {"CosineBits", t.cosine.width},
-                                     {"CoefficientBits", t.coefficient.width},
-                                     {"LightWordBits", layouts[0].bits},
-                                     {"MaterialWordBits", layouts[1].bits},
-                                     {"LightSumBits", t.light_sum.width},
-                                     {"LightSumFraction", t.light_sum.width - t.light_sum.integer}});
-  if (is_phong(c)) text += constants_text({{"NormalFraction", c.normal_fraction}, {"NormalPlaneBits", t.normal_plane.width}});
-  text += "\n" + root_table_text() + "\n";
-  for (const Layout& layout : layouts) text += record(layout);
-  return text;
+  const bool there = has_lighting(c);
+  const auto number = [&](int value) { return there ? value : 0; };
+  return constants_text({{"Deferred", is_deferred(c)},
+                         {"Lights", c.lights},
+                         {"LightWordBits", word_bits(layouts, "light")},
+                         {"MaterialWordBits", word_bits(layouts, "material")},
+                         {"NormalsWordBits", word_bits(layouts, "normals")},
+                         {"ColoursWordBits", word_bits(layouts, "colours")},
+                         {"NormalBits", number(t.normal.width)},
+                         {"LightBits", number(t.light.width)},
+                         {"Materials", c.materials},
+                         {"MaterialBits", number(t.material.width)},
+                         {"HasGloss", has_gloss(c)},
+                         {"Squarings", exact_log2(c.gloss)},
+                         {"GlossBits", has_gloss(c) ? t.gloss.width : 0},
+                         {"DirectionBits", number(t.direction.width)},
+                         {"SquaredLengthBits", number(t.squared_length.width)},
+                         {"RootIndexBits", number(kRootIndexBits)},
+                         {"RootOffsetBits", number(kRootOffsetBits)},
+                         {"RootValueFraction", number(kRootValueFraction)},
+                         {"RootSlopeBits", number(kRootSlopeBits)},
+                         {"RootBits", number(t.root.width)},
+                         {"RootShiftBits", number(t.root_shift.width)},
+                         {"DotBits", number(t.dot.width)},
+                         {"CosineBits", number(t.cosine.width)},
+                         {"CoefficientBits", number(t.coefficient.width)},
+                         {"LightSumBits", number(t.light_sum.width)},
+                         {"LightSumFraction", number(t.light_sum.width - t.light_sum.integer)},
+                         {"NormalFraction", c.normal_fraction},
+                         {"NormalPlaneBits", is_phong(c) ? t.normal_plane.width : 0}}) +
+         (there ? "\n" + root_table_text() : "  localparam logic [0:0] RootTable = '0;\n");
 }
 
 }  // namespace
@@ -97,8 +107,9 @@ std::string formats_package(const Configuration& configuration) {
   // What is not there has no bits and no type.
   const bool depth = has_depth(c), gouraud = is_gouraud(c), planes = has_planes(c);
   const auto bits = [](bool there, const NumberFormat& format) { return there ? format.width : 0; };
-  // Colours of a triangle, or with Phong shading in their place {which vertex is first: 2 bits, turned}.
-  const int triangle_colours = is_phong(c) ? 3 : (gouraud ? 9 : 3) * t.colour.width;
+  // Of a triangle as it comes: its colours; and of its attributes, where values of its vertices come later, their order.
+  const int triangle_colours = has_lighting(c) ? 0 : (gouraud ? 9 : 3) * t.colour.width;
+  const int order = is_deferred(c) && shades_planes(c) ? VertexNumber::width() + Bit::width() : 0;
   const std::vector<std::pair<const char*, int>> constants = {
       {"HasDepth", depth},
       {"StoresDepth", stores_depth(c)},
@@ -125,6 +136,7 @@ std::string formats_package(const Configuration& configuration) {
       {"DepthPlaneBits", bits(depth, t.depth_plane)},
       {"ColourBits", t.colour.width},
       {"TriangleColourBits", triangle_colours},
+      {"OrderBits", order},
       {"ColourFraction", c.colour_fraction},
       {"ColourPlaneBits", t.colour_plane.width}};  // flat: the colour's
   struct Type {
@@ -154,14 +166,17 @@ std::string formats_package(const Configuration& configuration) {
       "// and hls/records.hpp: change those, not this file.\n"
       "package hs_formats_pkg;\n\n",
       configuration.name());
-  text += constants_text(constants) + "\n";
+  // Any number of lanes would do: nothing printed depends on it.
+  const std::vector<Layout> layouts = make_engine(configuration, 2)->layouts();
+  text += constants_text(constants) + lighting_text(c, layouts) + "\n";
   for (const Type& type : types) {
     if (type.is_there) text += fmt::format("  typedef {}{}_t;\n", range(type.format.width, type.format.is_signed), type.name);
   }
   text += "\n";
-  // Any number of lanes would do: nothing printed depends on it.
-  for (const Layout& layout : make_engine(configuration, 2)->layouts()) text += record(layout);
-  return text + lighting_text(c) + "endpackage\n";
+  for (const Layout& layout : layouts) {
+    if (layout.stream != "visible_attributes") text += record(layout);  // the record of attributes
+  }
+  return text + "endpackage\n";
 }
 
 }  // namespace halfspace::vectors

@@ -125,7 +125,9 @@ struct RuntimeFormats {
       kReciprocalFraction, kAreaBits, kDepthBits, kColourBits, kLights, kMaterials, kSquarings;
   using CompilesPlaneTest = std::true_type;
   using CompilesPhong = std::true_type;
-  static inline thread_local bool kHasDepth, kGouraud, kPhong, kShadesPlanes, kHasPlanes, kStoresDepth, kTestsPlanes, kHasLighting, kHasGloss;
+  using CompilesLighting = std::true_type;
+  static inline thread_local bool kHasDepth, kGouraud, kPhong, kShadesPlanes, kHasPlanes, kStoresDepth, kTestsPlanes;
+  static inline thread_local bool kHasLighting, kHasGloss, kDeferred;
 
   static void activate(const Config& c, const FormatTable& table) {
     runtime_table = table;
@@ -140,7 +142,7 @@ struct RuntimeFormats {
     kHasDepth = has_depth(c), kGouraud = is_gouraud(c), kHasPlanes = has_planes(c);
     kPhong = is_phong(c), kShadesPlanes = shades_planes(c);
     kStoresDepth = stores_depth(c), kTestsPlanes = tests_planes(c);
-    kHasLighting = has_lighting(c), kHasGloss = has_gloss(c);
+    kHasLighting = has_lighting(c), kHasGloss = has_gloss(c), kDeferred = is_deferred(c);
     kLights = c.lights, kMaterials = c.materials, kSquarings = exact_log2(c.gloss);
   }
 

@@ -30,7 +30,7 @@ const std::map<std::string, Ends> kEnds = {
     {"visible", {"ztest_index", "geometry", ""}},          {"scan", {"scan_index", "shade_gouraud", ""}},
     {"pixel", {"shade_gouraud", "frame", "scan"}},         {"light", {"host", "light_vertex", ""}},
     {"material", {"host", "light_vertex", ""}},           {"normals", {"geometry", "light_vertex", ""}},
-    {"colours", {"light_vertex", "shade_setup", ""}},     {"normal_planes", {"phong_setup", "tdbs", ""}},
+    {"colours", {"light_vertex", "shade_setup", ""}},     {"visible_attributes", {"visible_select", "shade_setup", ""}},
 };
 
 // A .hex file and the digest of its text.
@@ -79,6 +79,10 @@ class HexFile {
     auto replace = [&](const char* unit, const char* by) {
       for (const char** end : {&ends.from, &ends.to}) *end = std::strcmp(*end, unit) ? *end : by;
     };
+    if (is_deferred(config_)) {
+      if (layout_.stream == "attributes") ends.to = "visible_select";
+      if (layout_.stream == "visible") ends.from = "visible_select";
+    }
     if (tests_planes(config_)) replace("ztest_index", "ztest_plane");
     if (is_phong(config_)) {
       replace("shade_setup", "phong_setup"), replace("shade_gouraud", "shade_phong");
@@ -113,11 +117,8 @@ std::string write_vector_set(const std::string& folder, const VectorSetOptions& 
   if (frames.empty()) throw ref::Error("a vector set needs a frame at least: name a scene");
   const Configuration& configuration = options.configuration;
   const auto engine = make_engine(configuration, options.lanes);
-  const auto lighting = make_lighting_engine(configuration.config());
-  std::vector<Layout> layouts = engine->layouts();
-  if (lighting) {
-    for (const Layout& layout : lighting->layouts()) layouts.push_back(layout);
-  }
+  engine->reuse_indices(options.window);
+  const std::vector<Layout> layouts = engine->layouts();
   StagedFolder staged(folder);
   std::map<std::string, HexFile> files;
   for (const Layout& layout : layouts) {
@@ -135,9 +136,8 @@ std::string write_vector_set(const std::string& folder, const VectorSetOptions& 
     const WordSink sink = [&](const Layout& layout, const Word* words, std::size_t count) {
       files.at(layout.stream).words(words, count);
     };
-    if (is_phong(configuration.config())) engine->light(frames[n].lighting);
+    if (has_lighting(configuration.config())) engine->light(frames[n].lighting);
     engine->capture(scene, sink);
-    if (lighting) lighting->capture(frames[n].lighting, sink);
     frame_list.push_back({{"width", scene.width},
                           {"height", scene.height},
                           {"background", scene.background},
@@ -154,6 +154,7 @@ std::string write_vector_set(const std::string& folder, const VectorSetOptions& 
                          {"lanes_x", engine->lanes_x()},
                          {"lanes_y", engine->lanes_y()},
                          {"seed", options.seed},
+                         {"window", options.window},
                          {"frames", frame_list},
                          {"streams", streams}};
   const std::string text = manifest.dump(1) + "\n";

@@ -16,13 +16,14 @@ namespace halfspace::vectors {
 struct NamedFrame {
   std::string note;  // what the frame is for
   ref::SnappedList scene;
-  LightingFrame lighting = {};  // for light_vertex; may have nothing to light
+  LightingFrame lighting = {};  // with lighting: the normals of its triangles, and what they are lit with
 };
 
 struct VectorSetOptions {
   std::string scene;   // name in the manifest
   Configuration configuration = find_configuration("middle");
   int lanes = 4;
+  int window = 0;  // of index reuse
   std::uint64_t seed = 0;  // of the random frames; 0 if there are none
 };
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/phong.hpp"
+#include "vectors/frame_lighting.hpp"
 
 #include <algorithm>
 #include <random>
 
+#include "vectors/frame_builder.hpp"
+
 namespace halfspace::vectors {
 
-LightingFrame phong_lighting(const ref::Geometry& geometry, const Config& config) {
+LightingFrame frame_lighting(const ref::Geometry& geometry, const Config& config) {
   const ref::DistantScene scene = ref::distant_scene(geometry.scene(), geometry.viewpoint(), most_squarings(config));
   LightingFrame frame = quantized_lighting(scene, config);
   frame.triangles.clear();
@@ -48,6 +50,27 @@ LightingFrame awkward_normals(std::size_t triangles, const Config& config, std::
     }
   }
   return frame;
+}
+
+std::vector<NamedFrame> normal_frames(const ref::RasterFormat& format, const Config& config, std::uint64_t seed) {
+  constexpr int kCell = 3;  // pixels each way
+  const int columns = std::max(std::min(format.width, 96) / kCell, 1), rows = std::max(std::min(format.height, 96) / kCell, 1);
+  const std::size_t most = std::size_t(std::min(columns * rows, format.triangles));
+  std::vector<NamedFrame> frames;
+  for (const LightingFrame& all : lighting_frames(config, seed)) {
+    for (std::size_t from = 0; from < all.triangles.size(); from += most) {
+      LightingFrame part = all;
+      part.triangles.assign(all.triangles.begin() + long(from), all.triangles.begin() + long(std::min(from + most, all.triangles.size())));
+      FrameBuilder b(format, columns * kCell, rows * kCell);
+      const int one = b.one();
+      for (std::size_t k = 0; k < part.triangles.size(); ++k) {
+        const int x = int(k) % columns * kCell * one, y = int(k) / columns * kCell * one;
+        b.add({x, y}, {x + 2 * one, y}, {x, y + 2 * one});
+      }
+      frames.push_back({all.note, b.list(), std::move(part)});
+    }
+  }
+  return frames;
 }
 
 }  // namespace halfspace::vectors

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Deferred shading (dual pipeline): the attributes of a triangle wait here until the Z-test has told whether it is visible. Those
+// of an invisible one go no further, but the last of the frame do, as empty. Geometry hears the same word, and answers a visible
+// one with its normals.
+//
+// A triangle is dropped for good: its index may be given to another one, as soon as geometry has its word.
+// A word a cycle.
+#ifndef HALFSPACE_HLS_VISIBLE_SELECT_HPP_
+#define HALFSPACE_HLS_VISIBLE_SELECT_HPP_
+
+#include "records.hpp"
+#include "stream.hpp"
+
+namespace halfspace {
+
+template <class F>
+void visible_select(Stream<Attributes<F>>& attributes, Stream<Visible<F>>& tested, Stream<Visible<F>>& visible,
+                    Stream<Attributes<F>>& visible_attributes) {
+  Attributes<F> out = attributes.read();
+  const Visible<F> result = tested.read();
+  out.empty = from_raw<Bit>(raw(result.visible) == 0);
+  visible.write(result);
+  if (raw(result.visible) || raw(result.last)) visible_attributes.write(out);
+}
+
+}  // namespace halfspace
+
+#endif  // HALFSPACE_HLS_VISIBLE_SELECT_HPP_

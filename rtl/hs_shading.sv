@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: Apache-2.0
+// The shading half of the pipeline: what a triangle is shaded with into TdbS, and the finished
+// I-buffer's stamps into pixels.
+//
+//   attributes, colours in them           ─► shade_setup ─planes─┐
+//   attributes, normals ─► light_vertex ─colours─► shade_setup ──┼─► TdbS ─► shade_gouraud ◄─ scan
+//   attributes, normals                   ─► phong_setup ────────┘           or shade_phong ─► pixel
+//
+// The first way without lighting, the last with Phong shading. Words of `normals` come for
+// attributes that are not empty, in their order. `planes` never waits. Stall: as its units.
+// Lights and materials are written while no frame is in flight.
+module hs_shading #(
+  parameter int unsigned LanesX = 2,
+  parameter int unsigned LanesY = 2,
+  parameter int unsigned AttributesFifoDepth = 4,
+  parameter int unsigned ColoursFifoDepth = 4,
+  parameter int unsigned ScanFifoDepth = 4,
+  localparam int unsigned Lanes = LanesX * LanesY,
+  localparam int unsigned XBits = hs_formats_pkg::XBits,
+  localparam int unsigned YBits = hs_formats_pkg::YBits,
+  localparam int unsigned IndexBits = hs_formats_pkg::IndexBits,
+  localparam int unsigned ColourBits = hs_formats_pkg::ColourBits,
+  localparam int unsigned ScanBits = 1 + XBits + YBits + Lanes * IndexBits,
+  localparam int unsigned PixelBits = 1 + XBits + YBits + Lanes * 3 * ColourBits,
+  localparam int unsigned LightWordBits = hs_formats_pkg::LightWordBits,
+  localparam int unsigned MaterialWordBits = hs_formats_pkg::MaterialWordBits,
+  localparam int unsigned NormalsBits = hs_formats_pkg::NormalsWordBits,
+  localparam int unsigned ColoursBits = hs_formats_pkg::ColoursWordBits
+) (
+  input  logic                        clk_i,
+  input  logic                        rst_ni,
+
+  input  logic [3*ColourBits-1:0]     background_i,  // {r, g, b}
+  input  logic                        planes_bank_i,  // of TdbS, to store to
+
+  // From geometry
+  input  logic                        light_valid_i,
+  input  logic [LightWordBits-1:0]    light_i,
+  input  logic                        material_valid_i,
+  input  logic [MaterialWordBits-1:0] material_i,
+  input  logic                        normals_valid_i,
+  output logic                        normals_ready_o,
+  input  logic [NormalsBits-1:0]      normals_i,
+
+  // From triangle_setup or visible_select
+  input  logic                        attributes_valid_i,
+  output logic                        attributes_ready_o,
+  input  hs_formats_pkg::attributes_t attributes_i,
+
+  // From scan_index
+  input  logic                        scan_valid_i,
+  output logic                        scan_ready_o,
+  input  logic [ScanBits-1:0]         scan_i,
+
+  // To the frame
+  output logic                        pixel_valid_o,
+  input  logic                        pixel_ready_i,
+  output logic [PixelBits-1:0]        pixel_o,
+
+  // To watch
+  output logic                        colours_valid_o,
+  output logic                        colours_ready_o,
+  output logic [ColoursBits-1:0]      colours_o,
+  output logic                        planes_valid_o,
+  output logic                        planes_ready_o,
+  output hs_formats_pkg::planes_t     planes_o
+);
+  localparam int unsigned Lights = hs_formats_pkg::Lights;
+  localparam int unsigned Phong = hs_formats_pkg::Phong;
+  localparam int unsigned EntryBits = $clog2(hs_formats_pkg::Triangles);
+  localparam int unsigned PlanesBits = $bits(planes_o) - 2 - IndexBits;
+
+  // --- attributes ─► planes ---
+  logic setup_valid, setup_ready;
+  hs_formats_pkg::attributes_t setup_attributes;
+
+  hs_fifo #(
+    .Width($bits(attributes_i)),
+    .Depth(AttributesFifoDepth)
+  ) u_attributes_fifo (
+    .clk_i      (clk_i),
+    .rst_ni     (rst_ni),
+    .in_valid_i (attributes_valid_i),
+    .in_ready_o (attributes_ready_o),
+    .in_i       (attributes_i),
+    .out_valid_o(setup_valid),
+    .out_ready_i(setup_ready),
+    .out_o      (setup_attributes)
+  );
+
+  if (Phong != 0) begin : gen_phong_setup
+    assign colours_valid_o = 1'b0;
+    assign colours_ready_o = 1'b0;
+    assign colours_o = '0;
+
+    hs_phong_setup #(
+      .NormalBits(hs_formats_pkg::NormalBits)
+    ) u_phong_setup (
+      .clk_i             (clk_i),
+      .rst_ni            (rst_ni),
+      .attributes_valid_i(setup_valid),
+      .attributes_ready_o(setup_ready),
+      .attributes_i      (setup_attributes),
+      .normals_valid_i   (normals_valid_i),
+      .normals_ready_o   (normals_ready_o),
+      .normals_i         (normals_i),
+      .planes_valid_o    (planes_valid_o),
+      .planes_ready_i    (planes_ready_o),
+      .planes_o          (planes_o)
+    );
+  end else begin : gen_shade_setup
+    logic setup_colours_valid, setup_colours_ready;
+    logic [ColoursBits-1:0] setup_colours;
+
+    if (Lights != 0) begin : gen_light_vertex
+      hs_light_vertex #(
+        .Vertices(hs_formats_pkg::Gouraud != 0 ? 3 : 1)
+      ) u_light_vertex (
+        .clk_i           (clk_i),
+        .rst_ni          (rst_ni),
+        .light_valid_i   (light_valid_i),
+        .light_i         (light_i),
+        .material_valid_i(material_valid_i),
+        .material_i      (material_i),
+        .normals_valid_i (normals_valid_i),
+        .normals_ready_o (normals_ready_o),
+        .normals_i       (normals_i),
+        .colours_valid_o (colours_valid_o),
+        .colours_ready_i (colours_ready_o),
+        .colours_o       (colours_o)
+      );
+
+      hs_fifo #(
+        .Width(ColoursBits),
+        .Depth(ColoursFifoDepth)
+      ) u_colours_fifo (
+        .clk_i      (clk_i),
+        .rst_ni     (rst_ni),
+        .in_valid_i (colours_valid_o),
+        .in_ready_o (colours_ready_o),
+        .in_i       (colours_o),
+        .out_valid_o(setup_colours_valid),
+        .out_ready_i(setup_colours_ready),
+        .out_o      (setup_colours)
+      );
+    end else begin : gen_no_lighting
+      logic unused_lighting;
+      assign unused_lighting = ^{light_valid_i, light_i, material_valid_i, material_i,
+                                 normals_valid_i, normals_i, setup_colours_ready};
+      assign normals_ready_o = 1'b0;
+      assign colours_valid_o = 1'b0;
+      assign colours_ready_o = 1'b0;
+      assign colours_o = '0;
+      assign setup_colours_valid = 1'b0;
+      assign setup_colours = '0;
+    end
+
+    hs_shade_setup u_shade_setup (
+      .clk_i             (clk_i),
+      .rst_ni            (rst_ni),
+      .attributes_valid_i(setup_valid),
+      .attributes_ready_o(setup_ready),
+      .attributes_i      (setup_attributes),
+      .colours_valid_i   (setup_colours_valid),
+      .colours_ready_o   (setup_colours_ready),
+      .colours_i         (setup_colours),
+      .planes_valid_o    (planes_valid_o),
+      .planes_ready_i    (planes_ready_o),
+      .planes_o          (planes_o)
+    );
+  end
+
+  // --- TdbS ---
+  logic read_en, read_bank;
+  logic [EntryBits-1:0] read_entry, store_entry;
+  logic [PlanesBits-1:0] read_planes;
+
+  assign planes_ready_o = 1'b1;
+  assign store_entry = EntryBits'(planes_o.index) - EntryBits'(1);
+
+  hs_ram_1r1w #(
+    .Width(PlanesBits),
+    .Depth(2 << EntryBits)
+  ) u_shading_database (
+    .clk_i          (clk_i),
+    .read_en_i      (read_en),
+    .read_address_i ({read_bank, read_entry}),
+    .read_data_o    (read_planes),
+    .write_en_i     (planes_valid_o && !planes_o.empty),
+    .write_address_i({planes_bank_i, store_entry}),
+    .write_data_i   (planes_o[PlanesBits-1:0])
+  );
+
+  // --- scan ─► pixel ---
+  logic shade_scan_valid, shade_scan_ready;
+  logic [ScanBits-1:0] shade_scan;
+
+  hs_fifo #(
+    .Width(ScanBits),
+    .Depth(ScanFifoDepth)
+  ) u_scan_fifo (
+    .clk_i      (clk_i),
+    .rst_ni     (rst_ni),
+    .in_valid_i (scan_valid_i),
+    .in_ready_o (scan_ready_o),
+    .in_i       (scan_i),
+    .out_valid_o(shade_scan_valid),
+    .out_ready_i(shade_scan_ready),
+    .out_o      (shade_scan)
+  );
+
+  if (Phong != 0) begin : gen_shade_phong
+    hs_shade_phong #(
+      .LanesX(LanesX),
+      .LanesY(LanesY)
+    ) u_shade_phong (
+      .clk_i           (clk_i),
+      .rst_ni          (rst_ni),
+      .background_i    (background_i),
+      .light_valid_i   (light_valid_i),
+      .light_i         (light_i),
+      .material_valid_i(material_valid_i),
+      .material_i      (material_i),
+      .scan_valid_i    (shade_scan_valid),
+      .scan_ready_o    (shade_scan_ready),
+      .scan_i          (shade_scan),
+      .read_en_o       (read_en),
+      .read_bank_o     (read_bank),
+      .read_entry_o    (read_entry),
+      .read_planes_i   (read_planes),
+      .pixel_valid_o   (pixel_valid_o),
+      .pixel_ready_i   (pixel_ready_i),
+      .pixel_o         (pixel_o)
+    );
+  end else begin : gen_shade_gouraud
+    hs_shade_gouraud #(
+      .LanesX(LanesX),
+      .LanesY(LanesY)
+    ) u_shade_gouraud (
+      .clk_i        (clk_i),
+      .rst_ni       (rst_ni),
+      .background_i (background_i),
+      .scan_valid_i (shade_scan_valid),
+      .scan_ready_o (shade_scan_ready),
+      .scan_i       (shade_scan),
+      .read_en_o    (read_en),
+      .read_bank_o  (read_bank),
+      .read_entry_o (read_entry),
+      .read_planes_i(read_planes),
+      .pixel_valid_o(pixel_valid_o),
+      .pixel_ready_i(pixel_ready_i),
+      .pixel_o      (pixel_o)
+    );
+  end
+endmodule
