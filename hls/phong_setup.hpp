@@ -31,15 +31,13 @@ Drop:
   if (!raw(in.empty)) {
     out.material = given.material;
     const PlaneBase<F> base = frame_base(in);
-    const int from[5] = {0, 1, 2, 0, 1};
-    const int v0 = int(raw(in.first)), step = raw(in.turned) ? 2 : 1;
-    const int v1 = from[v0 + step], v2 = from[v0 + 3 - step];
+    const VertexOrder order = vertex_order(in);
     const typename F::Normal* const component[3] = {given.x, given.y, given.z};
   Components:
     for (int i = 0; i < 3; ++i) {
-      const auto plane = plane_setup<F, typename F::NormalChannel>(base, offset_component<F>(component[i][v0]),
-                                                                   offset_component<F>(component[i][v1]),
-                                                                   offset_component<F>(component[i][v2]));
+      const auto plane = plane_setup<F, typename F::NormalChannel>(base, offset_component<F>(component[i][order.vertex[0]]),
+                                                                   offset_component<F>(component[i][order.vertex[1]]),
+                                                                   offset_component<F>(component[i][order.vertex[2]]));
       out.start[i] = plane.start;
       out.dx[i] = plane.dx;
       out.dy[i] = plane.dy;

@@ -45,7 +45,22 @@ PlaneBase<F> frame_base(const Attributes<F>& in) {
   return base;
 }
 
-// Channel: F::DepthChannel, F::ColourChannel or F::NormalChannel.
+// Which of the vertices as given vertex 0, 1 and 2 are.
+struct VertexOrder {
+  int vertex[3];
+};
+template <class F>
+VertexOrder vertex_order(const Attributes<F>& in) {
+  const int from[5] = {0, 1, 2, 0, 1};
+  const int first = int(raw(in.first)), step = raw(in.turned) ? 2 : 1;
+  VertexOrder order;
+  order.vertex[0] = first;
+  order.vertex[1] = from[first + step];
+  order.vertex[2] = from[first + 3 - step];
+  return order;
+}
+
+// Channel: F::DepthChannel, F::ColourChannel, F::NormalChannel or F::CoordinateChannel.
 template <class Channel>
 struct Plane {
   typename Channel::PlaneValue start;  // ½ included: the integer part of a value is it rounded to nearest, half up

@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
+#include "hls/reciprocal_lookup.hpp"
 #include "hls/reciprocal_sqrt.hpp"
 #include "vectors/engine.hpp"
 #include "vectors/lighting.hpp"
+#include "vectors/texture.hpp"
 
 namespace halfspace::vectors {
 namespace {
@@ -43,14 +45,14 @@ std::string constants_text(const std::vector<std::pair<const char*, int>>& const
 }
 
 // Entry 0 last: a table is {v, s} a segment, segment 0 in the least significant place.
-std::string root_table_text() {
-  const RootTable table = root_table();
-  const int bits = kRootValueFraction + kRootSlopeBits;
-  std::string text = fmt::format("  localparam logic [{}:0] RootTable = {{\n", kRootSegments * bits - 1);
-  for (int i = kRootSegments - 1; i >= 0; --i) {
-    text += fmt::format("{}{}'h{:08x}{}", (kRootSegments - 1 - i) % 6 == 0 ? "    " : " ", bits,
-                        table.value[i] << kRootSlopeBits | table.slope[i], i == 0 ? "\n  };\n" : ",");
-    if ((kRootSegments - i) % 6 == 0 && i != 0) text += "\n";
+template <class Table>
+std::string table_text(const char* name, const Table& table, int segments, int value_bits, int slope_bits) {
+  const int bits = value_bits + slope_bits, digits = (bits + 3) / 4;
+  std::string text = fmt::format("  localparam logic [{}:0] {} = {{\n", segments * bits - 1, name);
+  for (int i = segments - 1; i >= 0; --i) {
+    text += fmt::format("{}{}'h{:0{}x}{}", (segments - 1 - i) % 6 == 0 ? "    " : " ", bits,
+                        std::uint64_t(table.value[i]) << slope_bits | table.slope[i], digits, i == 0 ? "\n  };\n" : ",");
+    if ((segments - i) % 6 == 0 && i != 0) text += "\n";
   }
   return text;
 }
@@ -84,7 +86,43 @@ std::string lighting_text(const Config& c) {
                                      {"LightSumBits", t.light_sum.width},
                                      {"LightSumFraction", t.light_sum.width - t.light_sum.integer}});
   if (is_phong(c)) text += constants_text({{"NormalFraction", c.normal_fraction}, {"NormalPlaneBits", t.normal_plane.width}});
-  text += "\n" + root_table_text() + "\n";
+  text += "\n" + table_text("RootTable", root_table(), kRootSegments, kRootValueFraction, kRootSlopeBits) + "\n";
+  for (const Layout& layout : layouts) text += record(layout);
+  return text;
+}
+
+// What texture adds: numbers, the table of the reciprocal of a pixel, records. Nothing without it.
+std::string texture_text(const Config& c) {
+  if (!has_texture(c)) return "";
+  const FormatTable t = format_table(c);
+  const std::vector<Layout> layouts = texture_layouts(c);
+  std::string text = constants_text({{"Bilinear", is_bilinear(c)},
+                                     {"Perspective", has_perspective(c)},
+                                     {"Texels", c.texels},
+                                     {"Textures", c.textures},
+                                     {"TextureBits", t.texture.width},
+                                     {"RepeatBits", t.repeat.width},
+                                     {"SideBits", t.side.width},
+                                     {"TexelAddressBits", t.texel_address.width},
+                                     {"CoordinateBits", t.coordinate.width},
+                                     {"CoordinateFraction", c.coordinate_fraction},
+                                     {"CoordinatePlaneBits", t.coordinate_plane.width},
+                                     {"WeightBits", kWeightBits},
+                                     {"TexelPlaceBits", t.texel_place.width},
+                                     {"FilteredFraction", kFilteredFraction},
+                                     {"FilteredBits", t.filtered.width},
+                                     {"TextureWordBits", layouts[0].bits},
+                                     {"TexelWordBits", layouts[1].bits}});
+  if (has_perspective(c)) {
+    text += constants_text({{"InverseBits", t.inverse.width},
+                            {"InverseShiftBits", t.inverse_shift.width},
+                            {"InverseIndexBits", kInverseIndexBits},
+                            {"InverseOffsetBits", kInverseOffsetBits},
+                            {"InverseValueFraction", kInverseValueFraction},
+                            {"InverseSlopeBits", kInverseSlopeBits}});
+    text += "\n" + table_text("InverseTable", inverse_table(), kInverseSegments, kInverseValueFraction, kInverseSlopeBits);
+  }
+  text += "\n";
   for (const Layout& layout : layouts) text += record(layout);
   return text;
 }
@@ -97,13 +135,14 @@ std::string formats_package(const Configuration& configuration) {
   // What is not there has no bits and no type.
   const bool depth = has_depth(c), gouraud = is_gouraud(c), planes = has_planes(c);
   const auto bits = [](bool there, const NumberFormat& format) { return there ? format.width : 0; };
-  // Colours of a triangle, or with Phong shading in their place {which vertex is first: 2 bits, turned}.
-  const int triangle_colours = is_phong(c) ? 3 : (gouraud ? 9 : 3) * t.colour.width;
+  // Colours of a triangle, and before them, or with Phong shading in their place, {which vertex is first: 2 bits, turned}.
+  const int vertex_order = orders_vertices(c) ? 3 : 0, colours = is_phong(c) ? 0 : (gouraud ? 9 : 3) * t.colour.width;
   const std::vector<std::pair<const char*, int>> constants = {
       {"HasDepth", depth},
       {"StoresDepth", stores_depth(c)},
       {"Gouraud", gouraud},
       {"Phong", is_phong(c)},
+      {"HasTexture", has_texture(c)},
       {"MaxWidth", c.width},
       {"MaxHeight", c.height},
       {"Triangles", c.triangles},
@@ -124,7 +163,7 @@ std::string formats_package(const Configuration& configuration) {
       {"DepthFraction", c.depth_fraction},
       {"DepthPlaneBits", bits(depth, t.depth_plane)},
       {"ColourBits", t.colour.width},
-      {"TriangleColourBits", triangle_colours},
+      {"TriangleColourBits", vertex_order + colours},
       {"ColourFraction", c.colour_fraction},
       {"ColourPlaneBits", t.colour_plane.width}};  // flat: the colour's
   struct Type {
@@ -161,7 +200,7 @@ std::string formats_package(const Configuration& configuration) {
   text += "\n";
   // Any number of lanes would do: nothing printed depends on it.
   for (const Layout& layout : make_engine(configuration, 2)->layouts()) text += record(layout);
-  return text + lighting_text(c) + "endpackage\n";
+  return text + lighting_text(c) + texture_text(c) + "endpackage\n";
 }
 
 }  // namespace halfspace::vectors
