@@ -22,7 +22,7 @@ Json config_json(const Configuration& configuration) {
   Json json = {{"name", configuration.name()}};
   json.update(to_json(c));
   const FormatTable table = format_table(c);
-  for (const auto* fields : {&vectors::format_fields(), &vectors::lighting_format_fields()}) {
+  for (const auto* fields : {&vectors::format_fields(), &vectors::lighting_format_fields(), &vectors::texture_format_fields()}) {
     for (const auto& field : *fields) {
       if (!field.is_used(c)) continue;
       const NumberFormat format = table.*field.format;
@@ -65,6 +65,22 @@ void print_table(const std::vector<Configuration>& configurations, bool markdown
     for (const Configuration& c : configurations) cells.push_back(std::to_string(c.config().*field.value));
     if (lit) row(field.name, cells, field.what);
   }
+  const bool textured = std::any_of(configurations.begin(), configurations.end(),
+                                    [](const Configuration& c) { return has_texture(c.config()); });
+  if (textured) {
+    std::vector<std::string> textures, mappings;
+    for (const Configuration& c : configurations) {
+      textures.push_back(vectors::texture_name(c.config().texture));
+      mappings.push_back(vectors::mapping_name(c.config().mapping));
+    }
+    row("texture", textures, vectors::kTextureWhat);
+    row("mapping", mappings, vectors::kMappingWhat);
+    for (const auto& field : vectors::texture_fields()) {
+      std::vector<std::string> cells;
+      for (const Configuration& c : configurations) cells.push_back(std::to_string(c.config().*field.value));
+      row(field.name, cells, field.what);
+    }
+  }
   auto formats = [&](const std::vector<vectors::FormatField>& fields) {
     for (const auto& field : fields) {
       std::vector<std::string> cells;
@@ -77,6 +93,7 @@ void print_table(const std::vector<Configuration>& configurations, bool markdown
   };
   formats(vectors::format_fields());
   if (lit) formats(vectors::lighting_format_fields());
+  if (textured) formats(vectors::texture_format_fields());
 }
 
 struct Options {

@@ -43,6 +43,9 @@ Json to_json(const Config& config) {
   json["shading"] = vectors::shading_name(config.shading);
   json["architecture"] = vectors::architecture_name(config.architecture);
   for (const auto& field : vectors::lighting_fields()) json[field.name] = config.*field.value;
+  json["texture"] = vectors::texture_name(config.texture);
+  json["mapping"] = vectors::mapping_name(config.mapping);
+  for (const auto& field : vectors::texture_fields()) json[field.name] = config.*field.value;
   return json;
 }
 

@@ -31,6 +31,12 @@ struct NormalDatabase {
   NormalPlanes<F> planes[F::kPhong ? F::kTriangles : 1];
 };
 
+// TdbS beside either, with F::kHasTexture.
+template <class F>
+struct TextureDatabase {
+  TexturePlanes<F> planes[F::kHasTexture ? F::kTriangles : 1];
+};
+
 // The depth plane of a triangle from the centre of pixel (0, 0) of the frame on, ½ included, modulo 2^b.
 template <class F>
 struct DepthEntry {
@@ -57,6 +63,22 @@ struct MaterialTable {
   Material<F> entry[F::kMaterials < 1 ? 1 : F::kMaterials][kMostLights];
 };
 
+// Of textures: stable while a frame is scanned out. Entry 0, of no texture, means nothing.
+template <class F>
+struct TextureTable {
+  TextureEntry<F> entry[F::kTextures + 1];
+};
+template <class F>
+struct TexelColour {
+  typename F::Colour r, g, b;
+};
+// A bank for each parity of a texel's column and row, for bilinear filtering; else one.
+template <class F>
+struct TextureMemory {
+  static constexpr int kBanks = F::kBilinear ? 4 : 1;
+  TexelColour<F> bank[kBanks][F::kTexels < kBanks ? 1 : F::kTexels / kBanks];
+};
+
 // I-buffer all 0 before the first frame; a frame leaves it so.
 template <class F>
 struct Buffers {
@@ -67,6 +89,9 @@ struct Buffers {
   VisibilityDatabase<F> visibility;
   LightTable<F> lights;
   MaterialTable<F> materials;
+  TextureDatabase<F> coordinates;
+  TextureTable<F> textures;
+  TextureMemory<F> texels;
 };
 
 }  // namespace halfspace

@@ -15,6 +15,13 @@ enum class Shading { kGouraud, kFlat, kPhong };
 // Type γ: there is none; the plane of the triangle whose index is stored is fetched from TdbV and evaluated again.
 enum class Architecture { kDelta, kGamma };
 
+// Texture at scan-out: none, the texel that a pixel's centre lies in, or four of them weighted.
+enum class TextureFilter { kNone, kNearest, kBilinear };
+
+// How texture coordinates vary over a triangle on the screen: by planes of u and v, or by planes of u/w, v/w and 1/w and a
+// division a pixel.
+enum class TextureMapping { kAffine, kPerspective };
+
 // A configuration, as in its .toml file. Nothing here can be derived from the rest. What is not there has no numbers: they
 // are 0.
 struct Config {
@@ -37,6 +44,13 @@ struct Config {
   int gloss = 0;        // largest exponent of a highlight: 1, 2, 4, 8, 16; 0: no highlights
   int materials = 0;    // materials a frame
   int normal_fraction = 0;  // g of the planes of normals; 0 without Phong shading
+  // Texture; all 0, and the mapping affine, without it.
+  TextureFilter texture = TextureFilter::kNone;
+  TextureMapping mapping = TextureMapping::kAffine;
+  int texels = 0;               // of the texture memory, a power of two
+  int textures = 0;             // a frame
+  int coordinate_bits = 0;      // b of a texture coordinate
+  int coordinate_fraction = 0;  // g of the planes of texture coordinates
 };
 
 constexpr bool has_depth(const Config& c) { return c.depth_bits != 0; }
@@ -49,10 +63,17 @@ constexpr bool is_phong(const Config& c) { return c.shading == Shading::kPhong; 
 constexpr bool shades_planes(const Config& c) { return is_gouraud(c) || is_phong(c); }
 constexpr bool has_lighting(const Config& c) { return c.lights != 0; }
 constexpr bool has_gloss(const Config& c) { return c.gloss != 0; }
-// Whether what a triangle is shaded with comes after it has turned out visible (deferred shading).
-constexpr bool is_deferred(const Config& c) { return has_lighting(c); }
+constexpr bool has_texture(const Config& c) { return c.texture != TextureFilter::kNone; }
+constexpr bool is_bilinear(const Config& c) { return c.texture == TextureFilter::kBilinear; }
+constexpr bool has_perspective(const Config& c) { return c.mapping == TextureMapping::kPerspective; }
+// Whether normals and texture coordinates of a triangle come after it has turned out visible (deferred shading).
+constexpr bool is_deferred(const Config& c) { return has_lighting(c) || has_texture(c); }
+// Whether what comes after the setup of triangles needs their shape, for planes.
+constexpr bool sends_shape(const Config& c) { return shades_planes(c) || has_texture(c); }
+// Whether values come for the vertices in the order given, after the setup has put these in its own.
+constexpr bool orders_vertices(const Config& c) { return (has_lighting(c) && shades_planes(c)) || has_texture(c); }
 // Whether a triangle has a plane at all, and needs the reciprocal of its area.
-constexpr bool has_planes(const Config& c) { return has_depth(c) || shades_planes(c); }
+constexpr bool has_planes(const Config& c) { return has_depth(c) || sends_shape(c); }
 // Bits of a component of a normal, with its sign, as a plane has it; 0 without Phong shading.
 constexpr int normal_plane_bits(const Config& c) { return is_phong(c) ? c.normal_bits + 1 : 0; }
 
@@ -102,18 +123,23 @@ enum class Refusal {
   kDepthError,          // the depth plane is off by half an LSB or more
   kColourError,         // the colour planes are off by half an LSB or more
   kNormalError,         // the planes of normals are off by half a unit of 2^−p or more
+  kCoordinateError,     // the planes of texture coordinates are off by half a unit or more
   kReciprocalShort,     // a gradient keeps no more fraction bits than its reciprocal has
   kEdgeWord,            // an edge function, with the carry of its subtraction, is one machine word
   kNumeratorWord,       // so is the numerator of a gradient
   kGradientWord,        // so are the halves of the product with the reciprocal, and the half that rounds it
   kStartWord,           // so is the start of a plane
-  kShadeWord,           // so is a gradient of a colour or a normal times a pixel coordinate
+  kShadeWord,           // so is a gradient of a colour, a normal or a texture coordinate times a pixel coordinate
   kTestWord,            // and for type γ a depth gradient times a pixel coordinate
   kNormalBits,          // 9 … 16: the square of a length fills the fields of a reciprocal root; all products are one word
   kLights,              // 0 … 4: a normal takes a cycle a light
   kGloss,               // 0, 1, 2, 4, 8, 16
   kMaterials,           // 1 … 4096
   kIdleLighting,        // a number of lighting where there is none
+  kCoordinateBits,      // 10 … 24: the weights of texels take 8; a factor of a multiplier of 25 bits
+  kTexels,              // 4 … 2^20, a power of two: the place of a texel, shifted for its texture, is one word
+  kTextures,            // 1 … 256
+  kIdleTexture,         // a number of texture where there is none
 };
 
 // |error| <= 2^(b−r) + (|dx| + |dy|)·2^−(g+1) < ½ LSB, for the farthest vertex that a pixel of the frame can be measured
@@ -135,7 +161,8 @@ constexpr Refusal refusal(const Config& c) {
   if (!within(c.lanes, 1, 16) || c.lanes != 1 << exact_log2(c.lanes)) return Refusal::kLanes;
   if (is_phong(c) && !has_lighting(c)) return Refusal::kUnlitPhong;
   if ((has_planes(c) && !within(c.reciprocal_bits, 2, 40)) || (has_depth(c) && !within(c.depth_fraction, 1, 40)) ||
-      (is_gouraud(c) && !within(c.colour_fraction, 1, 40)) || (is_phong(c) && !within(c.normal_fraction, 1, 40))) {
+      (is_gouraud(c) && !within(c.colour_fraction, 1, 40)) || (is_phong(c) && !within(c.normal_fraction, 1, 40)) ||
+      (has_texture(c) && !within(c.coordinate_fraction, 1, 40))) {
     return Refusal::kFractionBits;
   }
   if ((!has_planes(c) && c.reciprocal_bits != 0) || (!has_depth(c) && c.depth_fraction != 0) ||
@@ -144,6 +171,13 @@ constexpr Refusal refusal(const Config& c) {
   }
   if (tests_planes(c) && !has_depth(c)) return Refusal::kIdleArchitecture;
   if (is_phong(c) && !within(c.normal_bits, 9, 16)) return Refusal::kNormalBits;
+  if (has_texture(c)) {
+    if (!within(c.coordinate_bits, 10, 24)) return Refusal::kCoordinateBits;
+    if (!within(c.texels, 4, 1 << 20) || c.texels != 1 << exact_log2(c.texels)) return Refusal::kTexels;
+    if (!within(c.textures, 1, 256)) return Refusal::kTextures;
+  } else if (has_perspective(c) || c.texels != 0 || c.textures != 0 || c.coordinate_bits != 0 || c.coordinate_fraction != 0) {
+    return Refusal::kIdleTexture;
+  }
   const int longer_side = c.width > c.height ? c.width : c.height;
   const int margin = 3 * 4;  // pixels of the stamps around the frame, 4 at most each way
   if (!within(c.range_bits, 1, 20) || longer_side + margin > 1 << (c.range_bits - 1)) return Refusal::kFrameOutsideRange;
@@ -151,10 +185,12 @@ constexpr Refusal refusal(const Config& c) {
   if (is_gouraud(c) && !plane_error_ok(c, c.colour_bits, c.colour_fraction)) return Refusal::kColourError;
   const int normal = normal_plane_bits(c);
   if (is_phong(c) && !plane_error_ok(c, normal, c.normal_fraction)) return Refusal::kNormalError;
-  const int fraction = max_of(c.depth_fraction, max_of(c.colour_fraction, c.normal_fraction));
+  const int coordinate = c.coordinate_bits;
+  if (has_texture(c) && !plane_error_ok(c, coordinate, c.coordinate_fraction)) return Refusal::kCoordinateError;
+  const int fraction = max_of(max_of(c.depth_fraction, c.colour_fraction), max_of(c.normal_fraction, c.coordinate_fraction));
   if (has_planes(c) && c.reciprocal_bits < c.subpixel_bits + fraction) return Refusal::kReciprocalShort;
   const int position = c.range_bits + c.subpixel_bits;
-  const int value = max_of(c.depth_bits, max_of(c.colour_bits, normal));
+  const int value = max_of(max_of(c.depth_bits, c.colour_bits), max_of(normal, coordinate));
   const int numerator = value + position + 1;
   if (2 * position + 3 > 64) return Refusal::kEdgeWord;
   if (numerator + 2 > 64) return Refusal::kNumeratorWord;  // the sum of its two products, as types grow
@@ -162,14 +198,15 @@ constexpr Refusal refusal(const Config& c) {
   // n of gradient_product, where D is largest: the half that is added is 2^(n−1).
   const int n = 2 * position - 1 + c.reciprocal_bits - c.subpixel_bits;
   if ((has_depth(c) && n - c.depth_fraction > 63) || (is_gouraud(c) && n - c.colour_fraction > 63) ||
-      (is_phong(c) && n - c.normal_fraction > 63)) {
+      (is_phong(c) && n - c.normal_fraction > 63) || (has_texture(c) && n - c.coordinate_fraction > 63)) {
     return Refusal::kGradientWord;
   }
   if (c.depth_bits + c.depth_fraction + c.subpixel_bits > 63 || c.colour_bits + c.colour_fraction + c.subpixel_bits > 63 ||
-      normal + c.normal_fraction + c.subpixel_bits > 63) {
+      normal + c.normal_fraction + c.subpixel_bits > 63 || coordinate + c.coordinate_fraction + c.subpixel_bits > 63) {
     return Refusal::kStartWord;
   }
-  if (max_of(c.colour_bits + c.colour_fraction, normal + c.normal_fraction) + bits_for(longer_side) > 64) return Refusal::kShadeWord;
+  const int plane = max_of(max_of(c.colour_bits + c.colour_fraction, normal + c.normal_fraction), coordinate + c.coordinate_fraction);
+  if (plane + bits_for(longer_side) > 64) return Refusal::kShadeWord;
   if (tests_planes(c) && c.depth_bits + c.depth_fraction + bits_for(longer_side) > 64) return Refusal::kTestWord;
   if (!has_lighting(c)) {
     return c.normal_bits == 0 && c.gloss == 0 && c.materials == 0 ? Refusal::kNone : Refusal::kIdleLighting;

@@ -25,6 +25,9 @@ struct FormatTable {
   NumberFormat material, light, gloss, normal, direction, squared_length, root, root_shift, dot, projection, cosine;
   NumberFormat coefficient, light_sum;
   NumberFormat normal_offset, normal_plane, normal_gradient, normal_numerator, normal_start, normal_start_gradient;
+  NumberFormat texture, repeat, side, texel_address;
+  NumberFormat coordinate, coordinate_plane, coordinate_gradient, coordinate_numerator, coordinate_start, coordinate_start_gradient;
+  NumberFormat inverse, inverse_shift, texel_place, filtered;
 };
 
 // A coefficient of a material, in LSB of the colour: 2^kCoefficientHead times full scale, so that a light brighter than
@@ -32,6 +35,13 @@ struct FormatTable {
 constexpr int kCoefficientHead = 2, kCoefficientFraction = 6;
 // y of reciprocal_sqrt, in (½, 1).
 constexpr int kRootFraction = 18;
+// y of reciprocal_lookup, in (½, 1).
+constexpr int kInverseFraction = 20;
+// A triangle spans 2^e repetitions of its texture at most, each way.
+constexpr int kRepeatBits = 4;
+// Fraction bits of the place of a pixel among texels: the weights of a bilinear filter. And those that the filtered texel keeps:
+// half of its last place is 2^−9 LSB of the picture.
+constexpr int kWeightBits = 8, kFilteredFraction = 8;
 
 // u: fraction bits of a cosine. An exponent of 16 makes 16 times its error, so that 2^−(b+8) becomes 2^−4 LSB.
 constexpr int cosine_fraction(const Config& c) { return c.colour_bits + 8; }
@@ -98,6 +108,28 @@ constexpr FormatTable lighting_formats(const Config& c, FormatTable t) {
   return t;
 }
 
+// The numbers of texture; without it no record carries one, and the types are idle.
+constexpr FormatTable texture_formats(const Config& c, FormatTable t) {
+  const int b = has_texture(c) ? c.coordinate_bits : 10, side = has_texture(c) ? exact_log2(c.texels) : 2;
+  // 0: none; 1 … textures.
+  t.texture = {bits_for(c.textures), bits_for(c.textures), false};
+  t.repeat = {kRepeatBits, kRepeatBits, false};
+  t.side = {bits_for(side), bits_for(side), false};  // log2 of a side, which is no longer than the memory
+  t.texel_address = {side, side, false};
+  const ChannelFormats coordinate = channel_formats(c, b, c.coordinate_fraction);
+  t.coordinate = coordinate.value;
+  t.coordinate_plane = coordinate.plane;
+  t.coordinate_gradient = coordinate.gradient;
+  t.coordinate_numerator = coordinate.numerator;
+  t.coordinate_start = coordinate.start;
+  t.coordinate_start_gradient = coordinate.start_gradient;
+  t.inverse = {kInverseFraction, 0, false};
+  t.inverse_shift = {bits_for(b - 1), bits_for(b - 1), false};  // leading zeros of q >= 1
+  t.texel_place = {side + kWeightBits, side, false};        // in texels, modulo the side
+  t.filtered = {c.colour_bits + kFilteredFraction, c.colour_bits, false};
+  return t;
+}
+
 constexpr FormatTable format_table(const Config& c) {
   FormatTable t{};
   const int f = c.subpixel_bits;
@@ -141,7 +173,7 @@ constexpr FormatTable format_table(const Config& c) {
   t.colour_numerator = colour.numerator;
   t.colour_start = colour.start;
   t.colour_start_gradient = colour.start_gradient;
-  return lighting_formats(c, t);
+  return texture_formats(c, lighting_formats(c, t));
 }
 
 // Stamps that `pixels` pixels take, `lanes` a stamp.
@@ -182,12 +214,17 @@ struct Formats {
   static constexpr bool kHasLighting = has_lighting(config()), kHasGloss = has_gloss(config());
   static constexpr bool kDeferred = is_deferred(config());
   static constexpr bool kHasPlanes = has_planes(config());
+  static constexpr bool kHasTexture = has_texture(config()), kBilinear = is_bilinear(config());
+  static constexpr bool kPerspective = has_perspective(config());
+  static constexpr bool kSendsShape = sends_shape(config()), kOrdersVertices = orders_vertices(config());
   static constexpr bool kStoresDepth = stores_depth(config()), kTestsPlanes = tests_planes(config());
   // Whether ztest_plane is compiled: refusal() holds the words of its products for type γ alone.
   using CompilesPlaneTest = std::integral_constant<bool, kTestsPlanes>;
   // So with phong_setup and shade_phong, and with light_vertex.
   using CompilesPhong = std::integral_constant<bool, kPhong>;
   using CompilesLighting = std::integral_constant<bool, kHasLighting>;
+  // And with texture_setup and shade_texture.
+  using CompilesTexture = std::integral_constant<bool, kHasTexture>;
   static constexpr int kSubpixelBits = config().subpixel_bits;
   static constexpr int kReciprocalFraction = config().reciprocal_bits;
   static constexpr int kAreaBits = table().area.width;
@@ -195,6 +232,7 @@ struct Formats {
   static constexpr int kColourBits = config().colour_bits;
   static constexpr int kLights = config().lights, kMaterials = config().materials;
   static constexpr int kSquarings = exact_log2(config().gloss);
+  static constexpr int kTexels = config().texels, kTextures = config().textures;
 
 #define HS_NUMBER(field) Fixed<table().field.width, table().field.integer, table().field.is_signed>
   using X = HS_NUMBER(x);  // pixels or stamps to the right, and frame widths
@@ -254,6 +292,25 @@ struct Formats {
     using Start = HS_NUMBER(normal_start);
     using StartGradient = HS_NUMBER(normal_start_gradient);
   };
+  using TextureNumber = HS_NUMBER(texture);
+  using Repeat = HS_NUMBER(repeat);
+  using Side = HS_NUMBER(side);
+  using TexelAddress = HS_NUMBER(texel_address);
+  using Coordinate = HS_NUMBER(coordinate);
+  using CoordinatePlane = HS_NUMBER(coordinate_plane);
+  using CoordinateGradient = HS_NUMBER(coordinate_gradient);
+  struct CoordinateChannel {
+    using Value = HS_NUMBER(coordinate);
+    using PlaneValue = HS_NUMBER(coordinate_plane);
+    using Gradient = HS_NUMBER(coordinate_gradient);
+    using Numerator = HS_NUMBER(coordinate_numerator);
+    using Start = HS_NUMBER(coordinate_start);
+    using StartGradient = HS_NUMBER(coordinate_start_gradient);
+  };
+  using Inverse = HS_NUMBER(inverse);
+  using InverseShift = HS_NUMBER(inverse_shift);
+  using TexelPlace = HS_NUMBER(texel_place);
+  using Filtered = HS_NUMBER(filtered);
 #undef HS_NUMBER
 };
 

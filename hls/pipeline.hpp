@@ -11,6 +11,8 @@
 #include "shade_gouraud.hpp"
 #include "shade_phong.hpp"
 #include "shade_setup.hpp"
+#include "shade_texture.hpp"
+#include "texture_setup.hpp"
 #include "triangle_setup.hpp"
 #include "visible_select.hpp"
 #include "ztest_index.hpp"
@@ -23,19 +25,21 @@ struct Streams {
   Stream<Triangle<F>> triangle;
   Stream<Setup<F>> setup;
   Stream<Attributes<F>> attributes;
-  Stream<Attributes<F>> visible_attributes;
+  Stream<Attributes<F>> visible_attributes, shade_attributes, texture_attributes;  // the last two with texture: copies
   Stream<Normals<F>> normals;
   Stream<Colours<F>> colours;
   Stream<Planes<F>> planes;
   Stream<NormalPlanes<F>> normal_planes;
+  Stream<TextureCoordinates<F>> texture_coordinates;
+  Stream<TexturePlanes<F>> texture_planes;
   Stream<Stamp<F>> stamp;
   Stream<TriangleDepth<F>> triangle_depth;
   Probe<int> visits;
   Probe<PlaneTests> tests;
   Probe<Update<F>> update;
   Stream<Visible<F>> tested, visible;  // before and after visible_select, if there is one
-  Stream<Scan<F>> scan;
-  Stream<Pixel<F>> pixel;
+  Stream<Scan<F>> scan, shade_scan, texture_scan;  // likewise
+  Stream<Pixel<F>> lit, pixel;                     // lit: with texture alone
 };
 
 template <class F>
@@ -55,17 +59,23 @@ void pipeline_test(Streams<F>& streams, Buffers<F>& buffers, std::true_type) {
               tested_stream(streams), streams.tests);
 }
 
+// Where the attributes come from that a triangle is shaded by.
+template <class F>
+Stream<Attributes<F>>& attributes_stream(Streams<F>& streams) {
+  return F::kHasTexture ? streams.shade_attributes : F::kDeferred ? streams.visible_attributes : streams.attributes;
+}
+
 // Colours into TdbS: they came with the triangle, or are made of its normals.
 template <class F>
 void pipeline_colours(Streams<F>& streams, Buffers<F>& buffers, std::false_type) {
-  shade_setup(streams.attributes, streams.planes);
+  shade_setup(attributes_stream(streams), streams.planes);
   store_planes(streams.planes, buffers.shading);
 }
 template <class F>
 void pipeline_colours(Streams<F>& streams, Buffers<F>& buffers, std::true_type) {
   if (!F::kHasLighting) return pipeline_colours(streams, buffers, std::false_type());
   if (!streams.normals.empty()) light_vertex(streams.normals, buffers.lights, buffers.materials, streams.colours);
-  shade_setup(streams.visible_attributes, streams.colours, streams.planes);
+  shade_setup(attributes_stream(streams), streams.colours, streams.planes);
   store_planes(streams.planes, buffers.shading);
 }
 
@@ -76,8 +86,18 @@ void pipeline_planes(Streams<F>& streams, Buffers<F>& buffers, std::false_type) 
 template <class F>
 void pipeline_planes(Streams<F>& streams, Buffers<F>& buffers, std::true_type) {
   if (!F::kPhong) return pipeline_planes(streams, buffers, std::false_type());
-  phong_setup(streams.visible_attributes, streams.normals, streams.normal_planes);
+  phong_setup(attributes_stream(streams), streams.normals, streams.normal_planes);
   store_normal_planes(streams.normal_planes, buffers.normals);
+}
+
+template <class F>
+void pipeline_coordinates(Streams<F>&, Buffers<F>&, std::false_type) {}
+template <class F>
+void pipeline_coordinates(Streams<F>& streams, Buffers<F>& buffers, std::true_type) {
+  if (!F::kHasTexture) return;
+  fork(streams.visible_attributes, streams.shade_attributes, streams.texture_attributes);
+  texture_setup(streams.texture_attributes, streams.texture_coordinates, streams.texture_planes);
+  store_texture_planes(streams.texture_planes, buffers.coordinates);
 }
 
 // One triangle from streams.triangle into the I-buffer, and what geometry hears of it into streams.visible.
@@ -89,11 +109,14 @@ void pipeline_triangle(const Frame<F>& frame, Streams<F>& streams, Buffers<F>& b
   if (F::kDeferred) visible_select(streams.attributes, streams.tested, streams.visible, streams.visible_attributes);
 }
 
-// What it is shaded with into TdbS; with F::kDeferred, and if it is visible, after its word of streams.normals.
+// What it is shaded with into TdbS; with F::kDeferred, and if it is visible, after its words of streams.normals and
+// streams.texture_coordinates.
 template <class F>
 void pipeline_planes(Streams<F>& streams, Buffers<F>& buffers) {
   const bool none = F::kDeferred ? streams.visible_attributes.empty() : streams.attributes.empty();
-  if (!none) pipeline_planes(streams, buffers, typename F::CompilesPhong());
+  if (none) return;
+  pipeline_coordinates(streams, buffers, typename F::CompilesTexture());
+  pipeline_planes(streams, buffers, typename F::CompilesPhong());
 }
 
 // Row `y` of the stamps of the finished frame from the I-buffer; rows are taken from the top.
@@ -102,19 +125,32 @@ void pipeline_scan(const Frame<F>& frame, int y, Streams<F>& streams, Buffers<F>
   scan_index(frame, y, buffers.index, streams.scan);
 }
 
+// One stamp of it, without texture.
+template <class F>
+void pipeline_light(const Frame<F>& frame, Stream<Scan<F>>& scan, Buffers<F>& buffers, Stream<Pixel<F>>& pixel, std::false_type) {
+  shade_gouraud(frame, scan, buffers.shading, pixel);
+}
+template <class F>
+void pipeline_light(const Frame<F>& frame, Stream<Scan<F>>& scan, Buffers<F>& buffers, Stream<Pixel<F>>& pixel, std::true_type) {
+  if (!F::kPhong) return pipeline_light(frame, scan, buffers, pixel, std::false_type());
+  shade_phong(frame, scan, buffers.normals, buffers.lights, buffers.materials, pixel);
+}
+
 // One stamp of it into streams.pixel.
 template <class F>
 void pipeline_shade(const Frame<F>& frame, Streams<F>& streams, Buffers<F>& buffers, std::false_type) {
-  shade_gouraud(frame, streams.scan, buffers.shading, streams.pixel);
+  pipeline_light(frame, streams.scan, buffers, streams.pixel, typename F::CompilesPhong());
 }
 template <class F>
 void pipeline_shade(const Frame<F>& frame, Streams<F>& streams, Buffers<F>& buffers, std::true_type) {
-  if (!F::kPhong) return pipeline_shade(frame, streams, buffers, std::false_type());
-  shade_phong(frame, streams.scan, buffers.normals, buffers.lights, buffers.materials, streams.pixel);
+  if (!F::kHasTexture) return pipeline_shade(frame, streams, buffers, std::false_type());
+  fork(streams.scan, streams.shade_scan, streams.texture_scan);
+  pipeline_light(frame, streams.shade_scan, buffers, streams.lit, typename F::CompilesPhong());
+  shade_texture(streams.texture_scan, streams.lit, buffers.coordinates, buffers.textures, buffers.texels, streams.pixel);
 }
 template <class F>
 void pipeline_shade(const Frame<F>& frame, Streams<F>& streams, Buffers<F>& buffers) {
-  pipeline_shade(frame, streams, buffers, typename F::CompilesPhong());
+  pipeline_shade(frame, streams, buffers, typename F::CompilesTexture());
 }
 
 }  // namespace halfspace

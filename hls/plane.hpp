@@ -45,7 +45,7 @@ PlaneBase<F> frame_base(const Attributes<F>& in) {
   return base;
 }
 
-// The vertices, as given, in the order of the attributes.
+// Which of the vertices as given vertex 0, 1 and 2 are.
 struct VertexOrder {
   int vertex[3];
 };
@@ -60,7 +60,7 @@ VertexOrder vertex_order(const Attributes<F>& in) {
   return order;
 }
 
-// Channel: F::DepthChannel, F::ColourChannel or F::NormalChannel.
+// Channel: F::DepthChannel, F::ColourChannel, F::NormalChannel or F::CoordinateChannel.
 template <class Channel>
 struct Plane {
   typename Channel::PlaneValue start;  // ½ included: the integer part of a value is it rounded to nearest, half up

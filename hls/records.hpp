@@ -7,7 +7,7 @@
 // vectors find them aligned. A field that a configuration has no use for is not visited, so that no word has it: depths without
 // F::kHasDepth, depths of the Z-buffer without F::kStoresDepth, colours of the other vertices and colour planes without
 // F::kGouraud. With F::kHasLighting a triangle comes without colours, and its normals once it is visible; with F::kPhong its planes
-// are of normals.
+// are of normals. With F::kHasTexture it has planes of texture coordinates besides.
 #ifndef HALFSPACE_HLS_RECORDS_HPP_
 #define HALFSPACE_HLS_RECORDS_HPP_
 
@@ -86,9 +86,9 @@ struct Setup {
   }
 };
 
-// triangle_setup → shade_setup: what the planes need, of each triangle that is not empty and of the last. A flat triangle needs
-// its colour alone. With F::kDeferred of every triangle, to visible_select; and of the visible ones and the last, in which `empty`
-// is that it is not visible, from there to shade_setup or phong_setup.
+// triangle_setup → shade_setup: what the planes need, of each triangle that is not empty and of the last. A flat triangle without
+// texture needs its colour alone. With F::kDeferred of every triangle, to visible_select; and of the visible ones and the last, in
+// which `empty` is that it is not visible, from there to shade_setup or phong_setup, and texture_setup.
 template <class F>
 struct Attributes {
   static constexpr const char* kStream = "attributes";
@@ -107,12 +107,12 @@ struct Attributes {
   template <class V>
   void visit(V&& v) {
     v("last", last), v("empty", empty), v("index", index);
-    if (F::kShadesPlanes) {
+    if (F::kSendsShape) {
       v("x", x), v("y", y);
       v("dx1", dx1), v("dy1", dy1), v("dx2", dx2), v("dy2", dy2);
       v("shift", shift), v("reciprocal", reciprocal);
     }
-    if (F::kDeferred && F::kShadesPlanes) v("first", first), v("turned", turned);
+    if (F::kOrdersVertices) v("first", first), v("turned", turned);
     if (!F::kHasLighting) visit_colours<F>(v, r, g, b);
   }
 };
@@ -161,6 +161,50 @@ struct NormalPlanes {
     v("x", start[0]), v("x_dx", dx[0]), v("x_dy", dy[0]);
     v("y", start[1]), v("y_dx", dx[1]), v("y_dy", dy[1]);
     v("z", start[2]), v("z_dx", dx[2]), v("z_dy", dy[2]);
+  }
+};
+
+// geometry → texture_setup, with F::kHasTexture: of a visible triangle, for its vertices in the order given. With u′ = u less a whole
+// number, the same for all three, and 0 <= u′ <= 2^e, v′ alike:
+//
+//   perspective   q = (2^b − 1)·w_least/w, rounded, 1 at least;  s = q·u′/2^e,  t = q·v′/2^e, rounded
+//   affine        s = 2^b·u′/2^e,  t = 2^b·v′/2^e, rounded, 2^b − 1 at most
+template <class F>
+struct TextureCoordinates {
+  static constexpr const char* kStream = "texture_coordinates";
+  Bit last;
+  typename F::Index index;
+  typename F::TextureNumber texture;  // 0: none, and the rest means nothing
+  typename F::Repeat repeat;          // e
+  typename F::Coordinate s[3], t[3], q[3];
+
+  template <class V>
+  void visit(V&& v) {
+    v("last", last), v("index", index), v("texture", texture), v("repeat", repeat);
+    v("s0", s[0]), v("s1", s[1]), v("s2", s[2]);
+    v("t0", t[0]), v("t1", t[1]), v("t2", t[2]);
+    if (F::kPerspective) v("q0", q[0]), v("q1", q[1]), v("q2", q[2]);
+  }
+};
+
+// texture_setup → TdbS, with F::kHasTexture: the entry of triangle `index`.
+template <class F>
+struct TexturePlanes {
+  static constexpr const char* kStream = "texture_planes";
+  Bit last;
+  Bit empty;  // nothing to store
+  typename F::Index index;
+  typename F::TextureNumber texture;
+  typename F::Repeat repeat;
+  typename F::CoordinatePlane start[3];  // s, t, q at the centre of pixel (0, 0) of the frame, ½ included
+  typename F::CoordinateGradient dx[3], dy[3];
+
+  template <class V>
+  void visit(V&& v) {
+    v("last", last), v("empty", empty), v("index", index), v("texture", texture), v("repeat", repeat);
+    v("s", start[0]), v("s_dx", dx[0]), v("s_dy", dy[0]);
+    v("t", start[1]), v("t_dx", dx[1]), v("t_dy", dy[1]);
+    if (F::kPerspective) v("q", start[2]), v("q_dx", dx[2]), v("q_dy", dy[2]);
   }
 };
 
@@ -269,6 +313,41 @@ struct Pixel {
   void visit(V&& v) {
     v("last", last), v("x", x), v("y", y);
     v.lanes("r", r), v.lanes("g", g), v.lanes("b", b);
+  }
+};
+
+// The shader → shade_texture, with F::kHasTexture: what the pixels look like without their texture.
+template <class F>
+struct LitPixel : Pixel<F> {
+  static constexpr const char* kStream = "lit";
+};
+
+// An entry of the table of textures: sides of 2^log2_width and 2^log2_height texels. The base is a multiple of their product, so
+// that it need not be added to what is below.
+template <class F>
+struct TextureEntry {
+  static constexpr const char* kStream = "texture";
+  typename F::TextureNumber texture;  // 1 … F::kTextures
+  typename F::TexelAddress base;
+  typename F::Side log2_width, log2_height;
+
+  template <class V>
+  void visit(V&& v) {
+    v("texture", texture), v("base", base), v("log2_width", log2_width), v("log2_height", log2_height);
+  }
+};
+
+// A word of the texture memory. Texel (i, j) of a texture of width 2^n has the address base + j·2^n + i; with F::kBilinear, in four
+// banks, base + ((j div 2)·2^(n−1) + i div 2)·4 + (j mod 2)·2 + i mod 2: both sides are 2 or more, and the bank comes last.
+template <class F>
+struct Texel {
+  static constexpr const char* kStream = "texel";
+  typename F::TexelAddress address;
+  typename F::Colour r, g, b;
+
+  template <class V>
+  void visit(V&& v) {
+    v("address", address), v("r", r), v("g", g), v("b", b);
   }
 };
 

@@ -84,4 +84,16 @@ class Probe {
 }  // namespace halfspace
 #endif
 
+namespace halfspace {
+
+// A word to two readers.
+template <class T>
+void fork(Stream<T>& in, Stream<T>& first, Stream<T>& second) {
+  const T word = in.read();
+  first.write(word);
+  second.write(word);
+}
+
+}  // namespace halfspace
+
 #endif  // HALFSPACE_HLS_STREAM_HPP_

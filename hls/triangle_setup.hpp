@@ -165,7 +165,7 @@ void triangle_setup(const Frame<F>& frame, Stream<Triangle<F>>& triangle, Stream
       out.depth_dx = depth.dx;
       out.depth_dy = depth.dy;
     }
-    if (F::kShadesPlanes) {
+    if (F::kSendsShape) {
       shade.x = x[0];
       shade.y = y[0];
       shade.dx1 = t.dx1;
@@ -175,7 +175,7 @@ void triangle_setup(const Frame<F>& frame, Stream<Triangle<F>>& triangle, Stream
       shade.shift = inverse.shift;
       shade.reciprocal = inverse.reciprocal;
     }
-    if (F::kDeferred) {
+    if (F::kOrdersVertices) {
       shade.first = t.first;
       shade.turned = t.turned;
     }

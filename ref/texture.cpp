@@ -76,6 +76,29 @@ Texture scaled(Texture texture, int longest) {
   return texture;
 }
 
+Texture resampled(const Texture& texture, int width, int height) {
+  Texture out{texture.name, width, height, {}};
+  out.texels.reserve(std::size_t(width) * height);
+  const std::int64_t w = texture.width, h = texture.height;
+  for (std::int64_t j = 0; j < height; ++j) {
+    for (std::int64_t i = 0; i < width; ++i) {
+      // In a grid in which a texel of the one is width × height cells, and one of the other w × h.
+      std::array<std::int64_t, 3> sum{};
+      for (std::int64_t y = j * h / height; y * height < (j + 1) * h; ++y) {
+        const std::int64_t rows = std::min((y + 1) * height, (j + 1) * h) - std::max(y * height, j * h);
+        for (std::int64_t x = i * w / width; x * width < (i + 1) * w; ++x) {
+          const std::int64_t cells = rows * (std::min((x + 1) * width, (i + 1) * w) - std::max(x * width, i * w));
+          const auto& texel = texture.at(x, y);
+          for (int c = 0; c < 3; ++c) sum[c] += cells * texel[c];
+        }
+      }
+      auto& texel = out.texels.emplace_back();
+      for (int c = 0; c < 3; ++c) texel[c] = std::uint8_t((sum[c] + w * h / 2) / (w * h));
+    }
+  }
+  return out;
+}
+
 glm::dvec3 sample(const Texture& texture, const glm::dvec2& uv, TextureFilter filter, std::uint64_t& texels) {
   const double x = uv.x * texture.width, y = uv.y * texture.height;
   const auto colour = [&](std::int64_t i, std::int64_t j) {

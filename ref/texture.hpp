@@ -28,6 +28,9 @@ Texture read_texture(const std::string& name, const std::vector<std::uint8_t>& b
 // Halved each way until neither side is longer than `longest`, a texel the mean of those that it covers.
 Texture scaled(Texture texture, int longest);
 
+// To other sides: a texel is the mean of what it covers.
+Texture resampled(const Texture& texture, int width, int height);
+
 enum class TextureFilter { kNearest, kBilinear };
 // 0-255 a channel, at (u, v) in units of the texture's sides; bilinear between the centres of four texels. Adds the texels.
 glm::dvec3 sample(const Texture&, const glm::dvec2& uv, TextureFilter, std::uint64_t& texels);

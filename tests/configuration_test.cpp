@@ -151,7 +151,7 @@ TEST(Configuration, IsTheSameWhenAllNumbersAre) {
   Config other = low;
   other.name = "other";
   EXPECT_TRUE(vectors::same_numbers(low, other));
-  for (const auto* fields : {&vectors::config_fields(), &vectors::lighting_fields()}) {
+  for (const auto* fields : {&vectors::config_fields(), &vectors::lighting_fields(), &vectors::texture_fields()}) {
     for (const auto& field : *fields) {
       other = low;
       ++(other.*field.value);
@@ -165,6 +165,12 @@ TEST(Configuration, IsTheSameWhenAllNumbersAre) {
   other.architecture = Architecture::kGamma;
   EXPECT_FALSE(vectors::same_numbers(low, other));
   EXPECT_FALSE(vectors::is_compiled({"low", other}));
+  other = low;
+  other.texture = TextureFilter::kNearest;
+  EXPECT_FALSE(vectors::same_numbers(low, other));
+  other = low;
+  other.mapping = TextureMapping::kPerspective;
+  EXPECT_FALSE(vectors::same_numbers(low, other));
   other = low;
   other.lanes = 16;
   EXPECT_TRUE(vectors::is_compiled({"low", other}));

@@ -1,15 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// The top function of light_vertex, fields as plain integers, gives the colours of the kernels.
+// The top functions of deferred lighting, fields as plain integers, give the words of the kernels.
 #include <gtest/gtest.h>
 
+#include <map>
 #include <memory>
+#include <string>
 
 #include "hls/top/fields.hpp"
+#include "vectors/engine.hpp"
 #include "vectors/field_value.hpp"
+#include "vectors/frame_lighting.hpp"
 #include "vectors/lighting_engine.hpp"
+#include "vectors/standard_set.hpp"
 
 extern "C" void light_vertex_top(const std::int64_t*, const halfspace::LightTable<halfspace::TopFormats>*,
                                  const halfspace::MaterialTable<halfspace::TopFormats>*, std::int64_t*);
+
+extern "C" int visible_select_top(const std::int64_t*, const std::int64_t*, std::int64_t*, std::int64_t*);
+extern "C" void shade_setup_lit_top(const std::int64_t*, const std::int64_t*, std::int64_t*);
 
 namespace halfspace::tests {
 namespace {
@@ -52,6 +60,45 @@ TEST(LightTops, GiveTheWordsOfTheKernels) {
     }
   }
   EXPECT_GT(compared, 1000);
+}
+
+TEST(LightTops, SelectAndSetUpAsTheKernels) {
+  const vectors::Configuration configuration(F::config().name, F::config());
+  const auto engine = vectors::make_engine(configuration, F::kLanes);
+  std::size_t selected = 0, set_up = 0, dropped = 0;
+  for (vectors::NamedFrame& frame : vectors::random_frames(vectors::raster_format(configuration), 5, 4, 60)) {
+    engine->light(vectors::awkward_normals(frame.scene.triangles.size(), F::config(), 5));
+    std::map<std::string, std::vector<std::vector<std::int64_t>>> streams;
+    engine->capture(frame.scene, [&](const vectors::Layout& layout, const Word* words, std::size_t count) {
+      if (layout.head_bits != layout.bits) return;  // with lanes
+      auto& stream = streams[layout.stream];
+      for (std::size_t n = 0; n < count; ++n) stream.push_back(fields_of(layout, words[n]));
+    });
+    ASSERT_EQ(streams["attributes"].size(), streams["visible"].size());
+    std::size_t passed = 0, lit = 0;
+    for (std::size_t n = 0; n < streams["visible"].size(); ++n) {
+      std::vector<std::int64_t> told(kVisibleFields, -1), out(kAttributesFields, -1);
+      const bool sent = visible_select_top(streams["attributes"][n].data(), streams["visible"][n].data(), told.data(), out.data());
+      ASSERT_EQ(told, streams["visible"][n]);
+      if (!sent) {
+        ++dropped;
+        continue;
+      }
+      ASSERT_EQ(out, streams["visible_attributes"].at(passed)) << frame.note;
+      if (out[1] == 0) {  // not empty
+        std::vector<std::int64_t> planes(kPlanesFields, -1);
+        shade_setup_lit_top(out.data(), streams["colours"].at(lit++).data(), planes.data());
+        ASSERT_EQ(planes, streams["planes"].at(passed)) << frame.note;
+        ++set_up;
+      }
+      ++passed, ++selected;
+    }
+    ASSERT_EQ(passed, streams["planes"].size());
+    ASSERT_EQ(lit, streams["normals"].size());
+  }
+  EXPECT_GT(selected, 50u);
+  EXPECT_GT(set_up, 50u);
+  EXPECT_GT(dropped, 50u);
 }
 
 }  // namespace

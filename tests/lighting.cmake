@@ -2,7 +2,8 @@
 # the kernels on corner cases, random triangles and normals and on scenes, lint, and what Yosys finds.
 foreach(config IN ITEMS LitHigh LitMatte)
   halfspace_tops_test(light_tops_test_${config} light_tops_test.cpp ${config} lit_configs.hpp
-                      ${PROJECT_SOURCE_DIR}/hls/top/light_vertex_top.cpp)
+                      ${PROJECT_SOURCE_DIR}/hls/top/light_vertex_top.cpp ${PROJECT_SOURCE_DIR}/hls/top/visible_select_top.cpp
+                      ${PROJECT_SOURCE_DIR}/hls/top/shade_setup_lit_top.cpp)
 endforeach()
 
 set(packages "")

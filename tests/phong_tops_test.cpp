@@ -48,17 +48,17 @@ TEST(PhongTops, GiveTheWordsOfTheKernels) {
       }
     });
     std::size_t given = 0;
-    ASSERT_EQ(streams["attributes"].size(), streams["normal_planes"].size());
-    for (std::size_t n = 0; n < streams["attributes"].size(); ++n, ++planes) {
-      const auto& attributes = streams["attributes"][n];
+    ASSERT_EQ(streams["visible_attributes"].size(), streams["planes"].size());
+    for (std::size_t n = 0; n < streams["planes"].size(); ++n, ++planes) {
+      const auto& attributes = streams["visible_attributes"][n];
       ASSERT_EQ(int(attributes.size()), kAttributesFields);
-      while (streams["normals"][given][1] != attributes[2]) ++given;  // index
-      ASSERT_EQ(int(streams["normals"][given].size()), kNormalsFields);
+      if (attributes[1] != 0) continue;  // empty: the last, which is not visible
+      ASSERT_EQ(int(streams["normals"].at(given).size()), kNormalsFields);
       std::vector<std::int64_t> out(kNormalPlanesFields, -1);
-      phong_setup_top(attributes.data(), streams["normals"][given].data(), out.data());
-      ASSERT_EQ(out, streams["normal_planes"][n]) << frame.note << ", word " << n;
+      phong_setup_top(attributes.data(), streams["normals"][given++].data(), out.data());
+      ASSERT_EQ(out, streams["planes"][n]) << frame.note << ", word " << n;
       const NormalPlanes<F> entry = read_fields<NormalPlanes<F>>(out.data());
-      if (!raw(entry.empty)) database->planes[raw(entry.index) - 1] = entry;
+      database->planes[raw(entry.index) - 1] = entry;
     }
     const auto& background = frame.scene.background;
     ASSERT_EQ(streams["scan"].size(), streams["pixel"].size());

@@ -42,6 +42,25 @@ const std::vector<ConfigField>& lighting_fields() {
   return fields;
 }
 
+const std::vector<ConfigField>& texture_fields() {
+  static const std::vector<ConfigField> fields = {
+      {"texels", &Config::texels, "of the texture memory, a power of two"},
+      {"textures", &Config::textures, "a frame"},
+      {"coordinate_bits", &Config::coordinate_bits, "b: of a texture coordinate"},
+      {"coordinate_fraction", &Config::coordinate_fraction, "g: fraction bits of the gradients of texture coordinates"}};
+  return fields;
+}
+
+const char* const kTextureWhat = "\"none\", \"nearest\": the texel at a pixel's centre, or \"bilinear\": four of them, weighted";
+
+const char* texture_name(TextureFilter filter) {
+  return filter == TextureFilter::kNone ? "none" : filter == TextureFilter::kNearest ? "nearest" : "bilinear";
+}
+
+const char* const kMappingWhat = "\"affine\": planes of u and v, or \"perspective\": planes of u/w, v/w, 1/w and a division a pixel";
+
+const char* mapping_name(TextureMapping mapping) { return mapping == TextureMapping::kPerspective ? "perspective" : "affine"; }
+
 const char* const kShadingWhat =
     "\"gouraud\", \"flat\": a triangle has the colour of its first vertex, or \"phong\": each visible pixel is lit";
 
@@ -54,8 +73,8 @@ const char* const kArchitectureWhat = "\"delta\": a Z-buffer, or \"gamma\": none
 const char* architecture_name(Architecture architecture) { return architecture == Architecture::kGamma ? "gamma" : "delta"; }
 
 bool same_numbers(const Config& a, const Config& b) {
-  if (a.shading != b.shading || a.architecture != b.architecture) return false;
-  for (const auto* fields : {&config_fields(), &lighting_fields()}) {
+  if (a.shading != b.shading || a.architecture != b.architecture || a.texture != b.texture || a.mapping != b.mapping) return false;
+  for (const auto* fields : {&config_fields(), &lighting_fields(), &texture_fields()}) {
     for (const ConfigField& field : *fields) {
       if (a.*field.value != b.*field.value) return false;
     }
@@ -73,10 +92,10 @@ std::string refusal_text(Refusal refusal) {
     case Refusal::kColourBits: return "colour_bits is 1 to 8";
     case Refusal::kLanes: return "lanes is 1, 2, 4, 8 or 16";
     case Refusal::kFractionBits:
-      return "reciprocal_bits is 2 to 40, depth_fraction, colour_fraction and normal_fraction are 1 to 40";
+      return "reciprocal_bits is 2 to 40, depth_fraction, colour_fraction, normal_fraction and coordinate_fraction are 1 to 40";
     case Refusal::kIdleBits:
       return "numbers of what is not there are 0: depth_fraction where depth_bits is 0, colour_fraction where shading is not \"gouraud\", "
-             "normal_fraction where it is not \"phong\", reciprocal_bits where there is no depth and shading is \"flat\"";
+             "normal_fraction where it is not \"phong\", reciprocal_bits where there is no depth and no texture and shading is \"flat\"";
     case Refusal::kUnlitPhong: return "shading \"phong\" lights the pixels, and there are no lights: raise lights, or shade otherwise";
     case Refusal::kIdleArchitecture:
       return "architecture \"gamma\" computes a depth again, and there is none: raise depth_bits, or leave the architecture out";
@@ -89,18 +108,24 @@ std::string refusal_text(Refusal refusal) {
       return "the colour planes can be off by half an LSB or more: raise reciprocal_bits or colour_fraction";
     case Refusal::kNormalError:
       return "the planes of normals can be off by half a unit of 2^-normal_bits or more: raise reciprocal_bits or normal_fraction";
+    case Refusal::kCoordinateError:
+      return "the planes of texture coordinates can be off by half a unit or more: raise reciprocal_bits or coordinate_fraction, or "
+             "lower coordinate_bits";
     case Refusal::kReciprocalShort:
       return "a gradient would keep more fraction bits than its reciprocal has: reciprocal_bits is subpixel_bits + the largest of "
-             "depth_fraction, colour_fraction and normal_fraction, or more";
+             "depth_fraction, colour_fraction, normal_fraction and coordinate_fraction, or more";
     case Refusal::kEdgeWord:
       return "an edge function is wider than 64 bits: lower range_bits or subpixel_bits";
     case Refusal::kNumeratorWord:
-      return "the numerator of a gradient is wider than 64 bits: lower depth_bits, range_bits or subpixel_bits";
+      return "the numerator of a gradient is wider than 64 bits: lower depth_bits, coordinate_bits, range_bits or subpixel_bits";
     case Refusal::kGradientWord:
-      return "half the product with the reciprocal is wider than 64 bits: lower reciprocal_bits, depth_bits or range_bits";
+      return "half the product with the reciprocal is wider than 64 bits: lower reciprocal_bits, depth_bits, coordinate_bits or "
+             "range_bits";
     case Refusal::kStartWord:
-      return "the start of a plane is wider than 63 bits: lower depth_fraction, colour_fraction, normal_fraction or subpixel_bits";
-    case Refusal::kShadeWord: return "a gradient of colour or normals times a coordinate is wider than 64 bits: lower its fraction";
+      return "the start of a plane is wider than 63 bits: lower depth_fraction, colour_fraction, normal_fraction, coordinate_fraction "
+             "or subpixel_bits";
+    case Refusal::kShadeWord:
+      return "a gradient of colour, normals or texture coordinates times a coordinate is wider than 64 bits: lower its fraction";
     case Refusal::kTestWord:
       return "a depth gradient times a coordinate, which architecture \"gamma\" needs, is wider than 64 bits: lower depth_fraction";
     case Refusal::kNormalBits: return "normal_bits is 9 to 16";
@@ -108,6 +133,11 @@ std::string refusal_text(Refusal refusal) {
     case Refusal::kGloss: return "gloss is 1, 2, 4, 8 or 16, or 0 for no highlights";
     case Refusal::kMaterials: return "materials is 1 to 4096";
     case Refusal::kIdleLighting: return "normal_bits, gloss and materials are 0 where lights is 0";
+    case Refusal::kCoordinateBits: return "coordinate_bits is 10 to 24";
+    case Refusal::kTexels: return "texels is a power of two, 4 to 1048576";
+    case Refusal::kTextures: return "textures is 1 to 256";
+    case Refusal::kIdleTexture:
+      return "texels, textures, coordinate_bits and coordinate_fraction are 0, and mapping \"affine\", where texture is \"none\"";
   }
   return "unknown reason";
 }
@@ -186,14 +216,35 @@ Configuration parse_configuration(const std::string& text, const std::string& so
       numbers.architecture = *value == "gamma" ? Architecture::kGamma : Architecture::kDelta;
       continue;
     }
+    if (field == "texture") {
+      const auto value = node.value_exact<std::string>();
+      if (!value || (*value != "none" && *value != "nearest" && *value != "bilinear")) {
+        throw ref::Error(fmt::format("{}:{}: texture is \"none\", \"nearest\" or \"bilinear\"", source, line));
+      }
+      numbers.texture = *value == "none"      ? TextureFilter::kNone
+                        : *value == "nearest" ? TextureFilter::kNearest
+                                              : TextureFilter::kBilinear;
+      continue;
+    }
+    if (field == "mapping") {
+      const auto value = node.value_exact<std::string>();
+      if (!value || (*value != "affine" && *value != "perspective")) {
+        throw ref::Error(fmt::format("{}:{}: mapping is \"affine\" or \"perspective\"", source, line));
+      }
+      numbers.mapping = *value == "affine" ? TextureMapping::kAffine : TextureMapping::kPerspective;
+      continue;
+    }
     std::vector<ConfigField> fields = config_fields();
     fields.insert(fields.end(), lighting_fields().begin(), lighting_fields().end());
+    fields.insert(fields.end(), texture_fields().begin(), texture_fields().end());
     const auto at = std::find_if(fields.begin(), fields.end(), [&](const ConfigField& f) { return field == f.name; });
     if (at == fields.end()) {
       std::string known = "name";
       for (const ConfigField& f : config_fields()) known += fmt::format(", {}", f.name);
       known += ", shading, architecture";
       for (const ConfigField& f : lighting_fields()) known += fmt::format(", {}", f.name);
+      known += ", texture, mapping";
+      for (const ConfigField& f : texture_fields()) known += fmt::format(", {}", f.name);
       throw ref::Error(fmt::format("{}:{}: there is no field '{}': the fields are {}", source, line, field, known));
     }
     const auto value = node.value_exact<std::int64_t>();
@@ -220,14 +271,20 @@ std::string configuration_toml(const Configuration& configuration) {
   const Config c = configuration.config();
   for (const ConfigField& field : config_fields()) {
     const std::string line = fmt::format("{} = {}", field.name, c.*field.value);
-    text += *field.what ? fmt::format("{:<24}# {}\n", line, field.what) : line + "\n";
+    text += *field.what ? fmt::format("{:<23} # {}\n", line, field.what) : line + "\n";
   }
-  text += fmt::format("{:<24}# {}\n", fmt::format("shading = \"{}\"", shading_name(c.shading)), kShadingWhat);
-  text += fmt::format("{:<24}# {}\n", fmt::format("architecture = \"{}\"", architecture_name(c.architecture)), kArchitectureWhat);
-  if (!has_lighting(c)) return text;
-  for (const ConfigField& field : lighting_fields()) {
-    text += fmt::format("{:<24}# {}\n", fmt::format("{} = {}", field.name, c.*field.value), field.what);
-  }
+  text += fmt::format("{:<23} # {}\n", fmt::format("shading = \"{}\"", shading_name(c.shading)), kShadingWhat);
+  text += fmt::format("{:<23} # {}\n", fmt::format("architecture = \"{}\"", architecture_name(c.architecture)), kArchitectureWhat);
+  const auto numbers = [&](const std::vector<ConfigField>& fields) {
+    for (const ConfigField& field : fields) {
+      text += fmt::format("{:<23} # {}\n", fmt::format("{} = {}", field.name, c.*field.value), field.what);
+    }
+  };
+  if (has_lighting(c)) numbers(lighting_fields());
+  if (!has_texture(c)) return text;
+  text += fmt::format("{:<23} # {}\n", fmt::format("texture = \"{}\"", texture_name(c.texture)), kTextureWhat);
+  text += fmt::format("{:<23} # {}\n", fmt::format("mapping = \"{}\"", mapping_name(c.mapping)), kMappingWhat);
+  numbers(texture_fields());
   return text;
 }
 
@@ -245,11 +302,16 @@ std::string configuration_header(const Configuration& configuration) {
   for (const ConfigField& field : config_fields()) numbers += fmt::format(", {}", c.*field.value);
   numbers += c.shading == Shading::kFlat ? ", Shading::kFlat" : c.shading == Shading::kPhong ? ", Shading::kPhong" : ", Shading::kGouraud";
   // What stands in Config is not said again.
-  if (c.architecture == Architecture::kGamma || has_lighting(c)) {
+  if (c.architecture == Architecture::kGamma || has_lighting(c) || has_texture(c)) {
     numbers += c.architecture == Architecture::kGamma ? ", Architecture::kGamma" : ", Architecture::kDelta";
   }
-  if (has_lighting(c)) {
+  if (has_lighting(c) || has_texture(c)) {
     for (const ConfigField& field : lighting_fields()) numbers += fmt::format(", {}", c.*field.value);
+  }
+  if (has_texture(c)) {
+    numbers += is_bilinear(c) ? ", TextureFilter::kBilinear" : ", TextureFilter::kNearest";
+    numbers += has_perspective(c) ? ", TextureMapping::kPerspective" : ", TextureMapping::kAffine";
+    for (const ConfigField& field : texture_fields()) numbers += fmt::format(", {}", c.*field.value);
   }
   return fmt::format(
       "// SPDX-License-Identifier: Apache-2.0\n"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Configurations by name or from a file: TOML with the fields of Config, all of them but `shading` and `architecture`, which are
-// "gouraud" and "delta" where nothing is said, and those of lighting, which are 0; and nothing else.
+// "gouraud" and "delta" where nothing is said, and those of lighting and of texture, which are 0, "none" and "affine"; and nothing else.
 #ifndef HALFSPACE_VECTORS_CONFIGURATION_HPP_
 #define HALFSPACE_VECTORS_CONFIGURATION_HPP_
 
@@ -19,8 +19,9 @@ struct ConfigField {
   const char* what;
 };
 const std::vector<ConfigField>& config_fields();
-// Those of lighting, which a file without it leaves out.
+// Those of lighting, which a file without it leaves out; and those of texture.
 const std::vector<ConfigField>& lighting_fields();
+const std::vector<ConfigField>& texture_fields();
 
 // "gouraud", "flat" or "phong", the field `shading`, and what it means.
 const char* shading_name(Shading);
@@ -28,6 +29,11 @@ extern const char* const kShadingWhat;
 // "delta" or "gamma", the field `architecture`.
 const char* architecture_name(Architecture);
 extern const char* const kArchitectureWhat;
+// "none", "nearest" or "bilinear", the field `texture`; "affine" or "perspective", the field `mapping`.
+const char* texture_name(TextureFilter);
+extern const char* const kTextureWhat;
+const char* mapping_name(TextureMapping);
+extern const char* const kMappingWhat;
 
 // A Config that was accepted, with the name that it points to.
 class Configuration {

@@ -14,6 +14,7 @@
 #include "vectors/configuration.hpp"
 #include "vectors/layout.hpp"
 #include "vectors/lighting.hpp"
+#include "vectors/texture.hpp"
 
 namespace halfspace::vectors {
 
@@ -27,12 +28,15 @@ class Engine {
   virtual int lanes_x() const = 0;
   virtual int lanes_y() const = 0;
   // In flow order: triangle, setup, attributes, planes, triangle_depth if there is one, stamp, update, visible, scan, pixel. With
-  // lighting light and material stand first, and before planes visible_attributes, normals and, but for Phong shading, colours.
+  // lighting light and material stand first, and before planes normals and, but for Phong shading, colours; with texture texture and
+  // texel, then texture_coordinates and texture_planes, and lit before pixel; with either visible_attributes after attributes.
   virtual std::vector<Layout> layouts() const = 0;
 
   // Of a configuration with lighting, before a frame is drawn: its lights, its materials, and the normals of its triangles.
   virtual void light(const LightingFrame& frame) = 0;
 
+  // Of a configuration with texture, before a frame is drawn: its textures, and the coordinates of its triangles.
+  virtual void texture(const TextureFrame& frame) = 0;
   // Not 0: from now on indices of invisible triangles are used again, by the rule of ref::IndexReuse with this window, and a frame
   // may have more triangles than there are indices. render() throws ref::Error when they are used up.
   virtual void reuse_indices(int window) = 0;

@@ -12,6 +12,7 @@
 #include "ref/index_pool.hpp"
 #include "vectors/engine.hpp"
 #include "vectors/lighting_records.hpp"
+#include "vectors/texture_records.hpp"
 
 namespace halfspace::vectors {
 
@@ -24,16 +25,17 @@ class KernelEngine : public Engine {
   std::vector<Layout> layouts() const override {
     std::vector<Layout> layouts;
     if (F::kHasLighting) layouts = {layout<Light<F>>(), layout<Material<F>>()};
+    if (F::kHasTexture) layouts.push_back(layout<TextureEntry<F>>()), layouts.push_back(layout<Texel<F>>());
     for (const Layout& next : {layout<Triangle<F>>(), layout<Setup<F>>(), layout<Attributes<F>>()}) layouts.push_back(next);
     if (F::kDeferred) layouts.push_back(visible_attributes_layout());
     if (F::kHasLighting) layouts.push_back(layout<Normals<F>>());
     if (F::kHasLighting && !F::kPhong) layouts.push_back(layout<Colours<F>>());
     layouts.push_back(F::kPhong ? layout<NormalPlanes<F>>() : layout<Planes<F>>());
+    if (F::kHasTexture) layouts.push_back(layout<TextureCoordinates<F>>()), layouts.push_back(layout<TexturePlanes<F>>());
     if (F::kTestsPlanes) layouts.push_back(layout<TriangleDepth<F>>());
-    for (const Layout& next : {layout<Stamp<F>>(), layout<Update<F>>(), layout<Visible<F>>(), layout<Scan<F>>(),
-                               layout<Pixel<F>>()}) {
-      layouts.push_back(next);
-    }
+    for (const Layout& next : {layout<Stamp<F>>(), layout<Update<F>>(), layout<Visible<F>>(), layout<Scan<F>>()}) layouts.push_back(next);
+    if (F::kHasTexture) layouts.push_back(layout<LitPixel<F>>());
+    layouts.push_back(layout<Pixel<F>>());
     return layouts;
   }
 
@@ -41,6 +43,12 @@ class KernelEngine : public Engine {
     lights_ = load_lights<F>(frame, buffers_->lights);
     materials_ = load_materials<F>(frame, buffers_->materials);
     normals_ = frame.triangles;
+  }
+
+  void texture(const TextureFrame& frame) override {
+    textures_ = load_textures<F>(frame, buffers_->textures);
+    texels_ = load_texels<F>(frame, buffers_->texels);
+    coordinates_ = frame.triangles;
   }
 
   void reuse_indices(int window) override { window_ = std::uint32_t(window); }
@@ -82,30 +90,38 @@ class KernelEngine : public Engine {
     std::vector<Colours<F>> colours;
     std::vector<Planes<F>> planes;
     std::vector<NormalPlanes<F>> normal_planes;
+    std::vector<TextureCoordinates<F>> texture_coordinates;
+    std::vector<TexturePlanes<F>> texture_planes;
     std::vector<TriangleDepth<F>> triangle_depth;
     std::vector<Stamp<F>> stamp;
     std::vector<Update<F>> update;
     std::vector<Visible<F>> visible;
     std::vector<Scan<F>> scan;
-    std::vector<Pixel<F>> pixel;
+    std::vector<Pixel<F>> lit, pixel;
     s.triangle.tap(&triangle), s.setup.tap(&setup), s.attributes.tap(&attributes), s.planes.tap(&planes);
     s.visible_attributes.tap(&visible_attributes), s.normals.tap(&normals), s.colours.tap(&colours);
-    s.normal_planes.tap(&normal_planes), s.triangle_depth.tap(&triangle_depth);
+    s.normal_planes.tap(&normal_planes), s.texture_coordinates.tap(&texture_coordinates), s.texture_planes.tap(&texture_planes);
+    s.triangle_depth.tap(&triangle_depth), s.lit.tap(&lit);
     s.stamp.tap(&stamp), s.update.tap(&update), s.visible.tap(&visible), s.scan.tap(&scan), s.pixel.tap(&pixel);
     render(scene);
     s.triangle.tap(nullptr), s.setup.tap(nullptr), s.attributes.tap(nullptr), s.planes.tap(nullptr);
     s.visible_attributes.tap(nullptr), s.normals.tap(nullptr), s.colours.tap(nullptr);
-    s.normal_planes.tap(nullptr), s.triangle_depth.tap(nullptr);
+    s.normal_planes.tap(nullptr), s.texture_coordinates.tap(nullptr), s.texture_planes.tap(nullptr);
+    s.triangle_depth.tap(nullptr), s.lit.tap(nullptr);
     s.stamp.tap(nullptr), s.update.tap(nullptr), s.visible.tap(nullptr), s.scan.tap(nullptr), s.pixel.tap(nullptr);
     if (F::kHasLighting) tell(lights_, sink), tell(materials_, sink);
+    if (F::kHasTexture) tell(textures_, sink), tell(texels_, sink);
     tell(triangle, sink), tell(setup, sink), tell(attributes, sink);
     if (F::kDeferred) tell(visible_attributes, sink, visible_attributes_layout());
     if (F::kHasLighting) tell(normals, sink);
     if (F::kHasLighting && !F::kPhong) tell(colours, sink);
     if (F::kPhong) tell(normal_planes, sink);
     else tell(planes, sink);
+    if (F::kHasTexture) tell(texture_coordinates, sink), tell(texture_planes, sink);
     if (F::kTestsPlanes) tell(triangle_depth, sink);
-    tell(stamp, sink), tell(update, sink), tell(visible, sink), tell(scan, sink), tell(pixel, sink);
+    tell(stamp, sink), tell(update, sink), tell(visible, sink), tell(scan, sink);
+    if (F::kHasTexture) tell(lit, sink, layout<LitPixel<F>>());
+    tell(pixel, sink);
   }
 
  private:
@@ -157,6 +173,9 @@ class KernelEngine : public Engine {
     if (F::kHasLighting && normals_.size() != scene.triangles.size()) {
       throw ref::Error("the configuration lights triangles, and these came without normals: take one without lights");
     }
+    if (F::kHasTexture && coordinates_.size() != scene.triangles.size()) {
+      throw ref::Error("the configuration draws textures, and the triangles came without coordinates: take one without texture");
+    }
     if (visible) visible->resize(scene.triangles.size());
     const Frame<F> registers = frame_registers(scene);
     const std::size_t count = scene.triangles.size();
@@ -181,6 +200,9 @@ class KernelEngine : public Engine {
       const Visible<F> done = streams_->visible.read();
       if (F::kHasLighting && raw(done.visible)) {
         streams_->normals.write(normals_record<F>(normals_[k], int(raw(done.index)), raw(done.last) != 0));
+      }
+      if (F::kHasTexture && raw(done.visible)) {
+        streams_->texture_coordinates.write(coordinates_record<F>(coordinates_[k], int(raw(done.index)), raw(done.last) != 0));
       }
       pipeline_planes(*streams_, *buffers_);
       pool.done(std::uint32_t(raw(done.index)), raw(done.visible) != 0);
@@ -255,6 +277,9 @@ class KernelEngine : public Engine {
   std::vector<Light<F>> lights_;
   std::vector<Material<F>> materials_;
   std::vector<RawNormals> normals_;
+  std::vector<TextureEntry<F>> textures_;
+  std::vector<Texel<F>> texels_;
+  std::vector<RawCoordinates> coordinates_;
 };
 
 // make(stamp) for the stamp of this many lanes; null if there is none.

@@ -24,6 +24,10 @@ class RuntimeEngine : public Engine {
     activate();
     kernels_->light(frame);
   }
+  void texture(const TextureFrame& frame) override {
+    activate();
+    kernels_->texture(frame);
+  }
   void reuse_indices(int window) override { kernels_->reuse_indices(window); }
   ref::Frame render(const ref::SnappedList& scene) override {
     activate();

@@ -63,6 +63,26 @@ const std::vector<FormatField>& lighting_format_fields() {
   return fields;
 }
 
+const std::vector<FormatField>& texture_format_fields() {
+  using T = FormatTable;
+  static const std::vector<FormatField> fields = {
+      {"texture", &T::texture, "0: none, 1 … textures", has_texture},
+      {"repeat", &T::repeat, "e: a triangle spans 2^15 repetitions at most", has_texture},
+      {"side", &T::side, "log2 of a side, 0 … log2(texels)", has_texture},
+      {"texel_address", &T::texel_address, "0 … texels − 1", has_texture},
+      {"coordinate", &T::coordinate, "b of s, t, q", has_texture},
+      {"coordinate_plane", &T::coordinate_plane, "b + g: modulo 2^b, as the error is below ½", has_texture},
+      {"coordinate_gradient", &T::coordinate_gradient, "b + g", has_texture},
+      {"coordinate_numerator", &T::coordinate_numerator, "b + c + 1", has_texture},
+      {"coordinate_start", &T::coordinate_start, "b + g + f", has_texture},
+      {"coordinate_start_gradient", &T::coordinate_start_gradient, "b + f + g", has_texture},
+      {"inverse", &T::inverse, "y of reciprocal_lookup, ½ … 1", has_perspective},
+      {"inverse_shift", &T::inverse_shift, "k of reciprocal_lookup, 0 … b − 1", has_perspective},
+      {"texel_place", &T::texel_place, "log2(texels) + 8: modulo a side, and the weights of a bilinear filter", has_texture},
+      {"filtered", &T::filtered, "b of colour + 8: a texel, rounded once", has_texture}};
+  return fields;
+}
+
 std::string format_name(const NumberFormat& format) {
   return fmt::format("{}{}.{}", format.is_signed ? 's' : 'u', format.integer, format.width - format.integer);
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "hls/reciprocal_lookup.hpp"
 #include "hls/reciprocal_sqrt.hpp"
 #include "hls/records.hpp"
 #include "vectors/engine.hpp"
@@ -45,14 +46,14 @@ std::string constants_text(const std::vector<std::pair<const char*, int>>& const
 }
 
 // Entry 0 last: a table is {v, s} a segment, segment 0 in the least significant place.
-std::string root_table_text() {
-  const RootTable table = root_table();
-  const int bits = kRootValueFraction + kRootSlopeBits;
-  std::string text = fmt::format("  localparam logic [{}:0] RootTable = {{\n", kRootSegments * bits - 1);
-  for (int i = kRootSegments - 1; i >= 0; --i) {
-    text += fmt::format("{}{}'h{:08x}{}", (kRootSegments - 1 - i) % 6 == 0 ? "    " : " ", bits,
-                        table.value[i] << kRootSlopeBits | table.slope[i], i == 0 ? "\n  };\n" : ",");
-    if ((kRootSegments - i) % 6 == 0 && i != 0) text += "\n";
+template <class Table>
+std::string table_text(const char* name, const Table& table, int segments, int value_bits, int slope_bits) {
+  const int bits = value_bits + slope_bits, digits = (bits + 3) / 4;
+  std::string text = fmt::format("  localparam logic [{}:0] {} = {{\n", segments * bits - 1, name);
+  for (int i = segments - 1; i >= 0; --i) {
+    text += fmt::format("{}{}'h{:0{}x}{}", (segments - 1 - i) % 6 == 0 ? "    " : " ", bits,
+                        std::uint64_t(table.value[i]) << slope_bits | table.slope[i], digits, i == 0 ? "\n  };\n" : ",");
+    if ((segments - i) % 6 == 0 && i != 0) text += "\n";
   }
   return text;
 }
@@ -96,7 +97,42 @@ std::string lighting_text(const Config& c, const std::vector<Layout>& layouts) {
                          {"LightSumFraction", number(t.light_sum.width - t.light_sum.integer)},
                          {"NormalFraction", c.normal_fraction},
                          {"NormalPlaneBits", is_phong(c) ? t.normal_plane.width : 0}}) +
-         (there ? "\n" + root_table_text() : "  localparam logic [0:0] RootTable = '0;\n");
+         (there ? "\n" + table_text("RootTable", root_table(), kRootSegments, kRootValueFraction, kRootSlopeBits) : "  localparam logic [0:0] RootTable = '0;\n");
+}
+
+// Those of texture.
+std::string texture_text(const Config& c, const std::vector<Layout>& layouts) {
+  const FormatTable t = format_table(c);
+  const auto number = [&](int value) { return has_texture(c) ? value : 0; };
+  const auto inverse = [&](int value) { return has_perspective(c) ? value : 0; };
+  return constants_text({{"HasTexture", has_texture(c)},
+                         {"Bilinear", is_bilinear(c)},
+                         {"Perspective", has_perspective(c)},
+                         {"Texels", c.texels},
+                         {"Textures", c.textures},
+                         {"TextureBits", number(t.texture.width)},
+                         {"RepeatBits", number(t.repeat.width)},
+                         {"SideBits", number(t.side.width)},
+                         {"TexelAddressBits", number(t.texel_address.width)},
+                         {"CoordinateBits", number(t.coordinate.width)},
+                         {"CoordinateFraction", c.coordinate_fraction},
+                         {"CoordinatePlaneBits", number(t.coordinate_plane.width)},
+                         {"WeightBits", number(kWeightBits)},
+                         {"TexelPlaceBits", number(t.texel_place.width)},
+                         {"FilteredFraction", is_bilinear(c) ? kFilteredFraction : 0},
+                         {"FilteredBits", number(t.filtered.width)},
+                         {"TextureWordBits", word_bits(layouts, "texture")},
+                         {"TexelWordBits", word_bits(layouts, "texel")},
+                         {"TextureCoordinatesWordBits", word_bits(layouts, "texture_coordinates")},
+                         {"TexturePlanesWordBits", word_bits(layouts, "texture_planes")},
+                         {"InverseBits", inverse(t.inverse.width)},
+                         {"InverseShiftBits", inverse(t.inverse_shift.width)},
+                         {"InverseIndexBits", inverse(kInverseIndexBits)},
+                         {"InverseOffsetBits", inverse(kInverseOffsetBits)},
+                         {"InverseValueFraction", inverse(kInverseValueFraction)},
+                         {"InverseSlopeBits", inverse(kInverseSlopeBits)}}) +
+         (has_perspective(c) ? "\n" + table_text("InverseTable", inverse_table(), kInverseSegments, kInverseValueFraction, kInverseSlopeBits)
+                             : "  localparam logic [0:0] InverseTable = '0;\n");
 }
 
 }  // namespace
@@ -109,12 +145,13 @@ std::string formats_package(const Configuration& configuration) {
   const auto bits = [](bool there, const NumberFormat& format) { return there ? format.width : 0; };
   // Of a triangle as it comes: its colours; and of its attributes, where values of its vertices come later, their order.
   const int triangle_colours = has_lighting(c) ? 0 : (gouraud ? 9 : 3) * t.colour.width;
-  const int order = is_deferred(c) && shades_planes(c) ? VertexNumber::width() + Bit::width() : 0;
+  const int order = orders_vertices(c) ? VertexNumber::width() + Bit::width() : 0;
   const std::vector<std::pair<const char*, int>> constants = {
       {"HasDepth", depth},
       {"StoresDepth", stores_depth(c)},
       {"Gouraud", gouraud},
       {"Phong", is_phong(c)},
+      {"HasTexture", has_texture(c)},
       {"MaxWidth", c.width},
       {"MaxHeight", c.height},
       {"Triangles", c.triangles},
@@ -168,7 +205,7 @@ std::string formats_package(const Configuration& configuration) {
       configuration.name());
   // Any number of lanes would do: nothing printed depends on it.
   const std::vector<Layout> layouts = make_engine(configuration, 2)->layouts();
-  text += constants_text(constants) + lighting_text(c, layouts) + "\n";
+  text += constants_text(constants) + lighting_text(c, layouts) + texture_text(c, layouts) + "\n";
   for (const Type& type : types) {
     if (type.is_there) text += fmt::format("  typedef {}{}_t;\n", range(type.format.width, type.format.is_signed), type.name);
   }

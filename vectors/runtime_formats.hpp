@@ -122,12 +122,14 @@ struct RuntimeFormats {
   static constexpr int kLanesX = S::kX, kLanesY = S::kY, kLanes = S::kX * S::kY;
   static constexpr int kLog2LanesX = exact_log2(kLanesX), kLog2LanesY = exact_log2(kLanesY);
   static inline thread_local int kWidth, kHeight, kStampsX, kStampsY, kStamps, kTriangles, kSubpixelBits,
-      kReciprocalFraction, kAreaBits, kDepthBits, kColourBits, kLights, kMaterials, kSquarings;
+      kReciprocalFraction, kAreaBits, kDepthBits, kColourBits, kLights, kMaterials, kSquarings,
+      kTexels, kTextures;
   using CompilesPlaneTest = std::true_type;
   using CompilesPhong = std::true_type;
   using CompilesLighting = std::true_type;
+  using CompilesTexture = std::true_type;
   static inline thread_local bool kHasDepth, kGouraud, kPhong, kShadesPlanes, kHasPlanes, kStoresDepth, kTestsPlanes;
-  static inline thread_local bool kHasLighting, kHasGloss, kDeferred;
+  static inline thread_local bool kHasLighting, kHasGloss, kDeferred, kHasTexture, kBilinear, kPerspective, kSendsShape, kOrdersVertices;
 
   static void activate(const Config& c, const FormatTable& table) {
     runtime_table = table;
@@ -144,6 +146,9 @@ struct RuntimeFormats {
     kStoresDepth = stores_depth(c), kTestsPlanes = tests_planes(c);
     kHasLighting = has_lighting(c), kHasGloss = has_gloss(c), kDeferred = is_deferred(c);
     kLights = c.lights, kMaterials = c.materials, kSquarings = exact_log2(c.gloss);
+    kHasTexture = has_texture(c), kBilinear = is_bilinear(c), kPerspective = has_perspective(c);
+    kSendsShape = sends_shape(c), kOrdersVertices = orders_vertices(c);
+    kTexels = c.texels, kTextures = c.textures;
   }
 
   using X = RuntimeFixed<&FormatTable::x, false>;
@@ -185,6 +190,25 @@ struct RuntimeFormats {
     using Numerator = RuntimeFixed<&FormatTable::normal_numerator, true>;
     using Start = RuntimeFixed<&FormatTable::normal_start, true>;
     using StartGradient = RuntimeFixed<&FormatTable::normal_start_gradient, true>;
+  };
+  using TextureNumber = RuntimeFixed<&FormatTable::texture, false>;
+  using Repeat = RuntimeFixed<&FormatTable::repeat, false>;
+  using Side = RuntimeFixed<&FormatTable::side, false>;
+  using TexelAddress = RuntimeFixed<&FormatTable::texel_address, false>;
+  using Coordinate = RuntimeFixed<&FormatTable::coordinate, false>;
+  using CoordinatePlane = RuntimeFixed<&FormatTable::coordinate_plane, false>;
+  using CoordinateGradient = RuntimeFixed<&FormatTable::coordinate_gradient, true>;
+  using Inverse = RuntimeFixed<&FormatTable::inverse, false>;
+  using InverseShift = RuntimeFixed<&FormatTable::inverse_shift, false>;
+  using TexelPlace = RuntimeFixed<&FormatTable::texel_place, false>;
+  using Filtered = RuntimeFixed<&FormatTable::filtered, false>;
+  struct CoordinateChannel {
+    using Value = RuntimeFormats::Coordinate;
+    using PlaneValue = RuntimeFormats::CoordinatePlane;
+    using Gradient = RuntimeFormats::CoordinateGradient;
+    using Numerator = RuntimeFixed<&FormatTable::coordinate_numerator, true>;
+    using Start = RuntimeFixed<&FormatTable::coordinate_start, true>;
+    using StartGradient = RuntimeFixed<&FormatTable::coordinate_start_gradient, true>;
   };
   struct DepthChannel {
     using Value = RuntimeFormats::Depth;
@@ -252,6 +276,23 @@ struct VisibilityDatabase<RuntimeFormats<S>> {
   RuntimeEntries<DepthEntry<F>> entry{F::kTestsPlanes ? F::kTriangles : 1};
 };
 
+template <class S>
+struct TextureDatabase<RuntimeFormats<S>> {
+  using F = RuntimeFormats<S>;
+  RuntimeEntries<TexturePlanes<F>> planes{F::kHasTexture ? F::kTriangles : 1};
+};
+template <class S>
+struct TextureTable<RuntimeFormats<S>> {
+  using F = RuntimeFormats<S>;
+  RuntimeEntries<TextureEntry<F>> entry{F::kTextures + 1};
+};
+template <class S>
+struct TextureMemory<RuntimeFormats<S>> {
+  using F = RuntimeFormats<S>;
+  static constexpr int kBanks = 4;
+  std::vector<RuntimeEntries<TexelColour<F>>> bank =
+      decltype(bank)(4, RuntimeEntries<TexelColour<F>>(F::kTexels < 4 ? 1 : F::kBilinear ? F::kTexels / 4 : F::kTexels));
+};
 template <class S>
 struct MaterialTable<RuntimeFormats<S>> {
   using F = RuntimeFormats<S>;

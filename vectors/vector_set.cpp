@@ -31,6 +31,9 @@ const std::map<std::string, Ends> kEnds = {
     {"pixel", {"shade_gouraud", "frame", "scan"}},         {"light", {"host", "light_vertex", ""}},
     {"material", {"host", "light_vertex", ""}},           {"normals", {"geometry", "light_vertex", ""}},
     {"colours", {"light_vertex", "shade_setup", ""}},     {"visible_attributes", {"visible_select", "shade_setup", ""}},
+    {"texture", {"host", "shade_texture", ""}},           {"texel", {"host", "shade_texture", ""}},
+    {"texture_coordinates", {"geometry", "texture_setup", ""}},
+    {"texture_planes", {"texture_setup", "tdbs", ""}},    {"lit", {"shade_gouraud", "shade_texture", "scan"}},
 };
 
 // A .hex file and the digest of its text.
@@ -83,6 +86,7 @@ class HexFile {
       if (layout_.stream == "attributes") ends.to = "visible_select";
       if (layout_.stream == "visible") ends.from = "visible_select";
     }
+    if (has_texture(config_) && layout_.stream == "pixel") ends.from = "shade_texture";
     if (tests_planes(config_)) replace("ztest_index", "ztest_plane");
     if (is_phong(config_)) {
       replace("shade_setup", "phong_setup"), replace("shade_gouraud", "shade_phong");
@@ -137,6 +141,7 @@ std::string write_vector_set(const std::string& folder, const VectorSetOptions& 
       files.at(layout.stream).words(words, count);
     };
     if (has_lighting(configuration.config())) engine->light(frames[n].lighting);
+    if (has_texture(configuration.config())) engine->texture(frames[n].texture);
     engine->capture(scene, sink);
     frame_list.push_back({{"width", scene.width},
                           {"height", scene.height},

@@ -10,6 +10,7 @@
 #include "ref/snap.hpp"
 #include "vectors/configuration.hpp"
 #include "vectors/lighting.hpp"
+#include "vectors/texture.hpp"
 
 namespace halfspace::vectors {
 
@@ -17,6 +18,7 @@ struct NamedFrame {
   std::string note;  // what the frame is for
   ref::SnappedList scene;
   LightingFrame lighting = {};  // with lighting: the normals of its triangles, and what they are lit with
+  TextureFrame texture = {};    // with texture: their coordinates, and the textures
 };
 
 struct VectorSetOptions {

@@ -7,6 +7,7 @@ package hs_formats_pkg;
   localparam int unsigned StoresDepth = 1;
   localparam int unsigned Gouraud = 1;
   localparam int unsigned Phong = 0;
+  localparam int unsigned HasTexture = 0;
   localparam int unsigned MaxWidth = 640;
   localparam int unsigned MaxHeight = 480;
   localparam int unsigned Triangles = 16384;
