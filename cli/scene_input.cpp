@@ -5,6 +5,7 @@
 
 #include <cctype>
 #include <charconv>
+#include <cstdio>
 #include <limits>
 #include <memory>
 
@@ -63,29 +64,47 @@ void add_scene_options(CLI::App* command, SceneInput& input) {
   command->add_option("--time", input.time, "seconds into the file's animation")->capture_default_str();
 }
 
-vectors::LightingFrame lighting_of(const LoadedScene& loaded) {
+namespace {
+
+// Of a scene whose configuration asks for more than a *.tri has.
+ref::Geometry geometry_of(const LoadedScene& loaded) {
   if (!loaded.scene) {
-    throw ref::Error(fmt::format("configuration {} lights triangles, and those of a *.tri have colours and no normals: take a mesh file, or a "
-                                 "configuration without lights", loaded.configuration.name()));
+    throw ref::Error(fmt::format("configuration {} lights or textures triangles, and those of a *.tri have colours alone: take a mesh file, or a "
+                                 "configuration without lights and texture", loaded.configuration.name()));
   }
   const ref::SnappedList& list = loaded.list;
-  const ref::Geometry geometry(*loaded.scene, {list.width, list.height, list.format.range_bits, list.format.subpixel_bits});
-  return vectors::frame_lighting(geometry, loaded.configuration.config());
+  return {*loaded.scene, {list.width, list.height, list.format.range_bits, list.format.subpixel_bits}};
+}
+
+}  // namespace
+
+vectors::LightingFrame lighting_of(const LoadedScene& loaded) {
+  return vectors::frame_lighting(geometry_of(loaded), loaded.configuration.config());
+}
+
+vectors::TextureFrame texture_of(const LoadedScene& loaded) {
+  return vectors::texture_frame(geometry_of(loaded), loaded.configuration.config());
 }
 
 std::unique_ptr<vectors::Engine> kernels_of(const LoadedScene& loaded, int lanes) {
   auto engine = vectors::make_engine(loaded.configuration, lanes);
   if (has_lighting(loaded.configuration.config())) engine->light(lighting_of(loaded));
+  if (has_texture(loaded.configuration.config())) engine->texture(texture_of(loaded));
   return engine;
 }
 
 ref::Frame reference_of(const LoadedScene& loaded) {
   const Config config = loaded.configuration.config();
-  if (!has_lighting(config) || !loaded.scene) return ref::render(loaded.list);
-  const ref::SnappedList& list = loaded.list;
-  ref::Geometry geometry(*loaded.scene, {list.width, list.height, list.format.range_bits, list.format.subpixel_bits});
-  if (!is_phong(config)) return ref::render(ref::distantly_lit(list, geometry, vectors::most_squarings(config)));
-  const auto surface = ref::lit_surface(geometry, list, ref::ShadingMode::kPhong);
+  if ((!has_lighting(config) && !has_texture(config)) || !loaded.scene) return ref::render(loaded.list);
+  ref::Geometry geometry = geometry_of(loaded);
+  ref::SnappedList list = loaded.list;
+  if (has_lighting(config) && !is_phong(config)) list = ref::distantly_lit(std::move(list), geometry, vectors::most_squarings(config));
+  auto surface = is_phong(config) ? ref::lit_surface(geometry, list, ref::ShadingMode::kPhong) : ref::given_surface(list);
+  if (has_texture(config)) {
+    const ref::TextureMode mode{is_bilinear(config) ? ref::TextureFilter::kBilinear : ref::TextureFilter::kNearest,
+                                has_perspective(config) ? ref::TextureMapping::kPerspective : ref::TextureMapping::kAffine};
+    surface = ref::textured_surface(std::move(surface), geometry, list, mode);
+  }
   ref::Drawing drawing = ref::draw(list, *surface, ref::Architecture::kDelta);
   ref::Frame frame{list.width, list.height, std::move(drawing.triangle), std::move(drawing.depth), std::move(drawing.colour), {}, {}, {}};
   frame.visible = std::move(drawing.visible);
@@ -115,7 +134,8 @@ LoadedScene load_snapped(const SceneInput& input) {
       empty.height = size.height;
       snap_scene(input.scene, empty, first);  // throws
     }
-    scene = std::make_shared<ref::Scene>(ref::load_scene(input.scene, input.time));
+    scene = std::make_shared<ref::Scene>(ref::load_scene(input.scene, input.time, has_texture(chosen.config())));
+    for (const std::string& loss : vectors::fit_textures(*scene, chosen.config())) std::fprintf(stderr, "halfspace: %s\n", loss.c_str());
     project = [scene](const ref::View& view) { return ref::project(*scene, view); };
   }
   auto snapped = [&](const vectors::Configuration& configuration) -> LoadedScene {

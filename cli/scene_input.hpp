@@ -39,8 +39,10 @@ struct LoadedScene {
 
 // The lights, materials and normals of the triangles. Throws ref::Error where there are none.
 vectors::LightingFrame lighting_of(const LoadedScene& loaded);
+// The textures, and the coordinates of the triangles. Throws ref::Error likewise.
+vectors::TextureFrame texture_of(const LoadedScene& loaded);
 
-// The kernels of its configuration, with its lighting if they light.
+// The kernels of its configuration, with its lighting and its textures if they take them.
 std::unique_ptr<vectors::Engine> kernels_of(const LoadedScene& loaded, int lanes);
 
 // What the reference draws. If the kernels light, lights and viewer are at infinity.

@@ -50,6 +50,7 @@ void write_vectors(const Options& options) {
     configuration = scene.configuration;
     frames.push_back({options.input.scene, scene.list});
     if (has_lighting(configuration.config())) frames.back().lighting = lighting_of(scene);
+    if (has_texture(configuration.config())) frames.back().texture = texture_of(scene);
   }
   const ref::RasterFormat format = vectors::raster_format(configuration);
   if (largest) frames = vectors::largest_frames(format);
@@ -63,6 +64,13 @@ void write_vectors(const Options& options) {
   }
 
   if (has_lighting(configuration.config())) add_normals(options, configuration, corners, frames);
+
+  if (has_texture(configuration.config())) {
+    for (std::size_t n = 0; n < frames.size(); ++n) {
+      if (!frames[n].texture.triangles.empty()) continue;  // the scene's
+      frames[n].texture = vectors::awkward_coordinates(frames[n].scene.triangles.size(), configuration.config(), options.seed + n);
+    }
+  }
 
   vectors::VectorSetOptions set;
   set.scene = options.input.scene;

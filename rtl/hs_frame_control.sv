@@ -2,7 +2,7 @@
 // The frames of hs_pipeline: at most two are in flight, one being drawn and one being scanned out.
 //
 // After reset, two passes of scan_index clear the banks of the I-buffer; triangles wait for that. A
-// frame is scanned out when its last `visible` was taken and its last `planes` are stored; it is in
+// frame is scanned out when its last `visible` was taken and all that it is shaded with is stored; it is in
 // flight until its last `pixel` is taken. No triangle of a third frame is let in. Banks take turns.
 module hs_frame_control (
   input  logic clk_i,
@@ -15,7 +15,8 @@ module hs_frame_control (
   input  logic triangle_i,
   input  logic triangle_last_i,
   input  logic visible_last_i,
-  input  logic planes_last_i,
+  input  logic planes_last_i,  // the end of a frame's `planes`
+  input  logic stored_last_i,  // that, or of what is stored later
   input  logic pixel_last_i,
 
   // To scan_index
@@ -55,7 +56,7 @@ module hs_frame_control (
       if (triangle_i) entering_q <= !triangle_last_i;
       frames_q <= frames_q + 2'(triangle_i && triangle_last_i) - 2'(pixel_last_i);
       drawn_q <= drawn_q + 2'(visible_last_i) - 2'(start_frame);
-      stored_q <= stored_q + 2'(planes_last_i) - 2'(start_frame);
+      stored_q <= stored_q + 2'(stored_last_i) - 2'(start_frame);
       if (start) scan_bank_q <= !scan_bank_q;
       if (planes_last_i) planes_bank_q <= !planes_bank_q;
     end

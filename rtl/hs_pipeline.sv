@@ -9,9 +9,9 @@
 //                     ▼
 //                   pixel
 //
-// Deferred shading, where there is lighting: the attributes wait in a queue, visible_select stands
+// Deferred shading, where there is lighting or texture: the attributes wait in a queue, visible_select stands
 // before hs_shading and `visible`, and geometry answers each `visible` that says so with a word of
-// `normals`, in order. It may take its time; it must take `visible` meanwhile.
+// `normals`, of `texture_coordinates`, or of each, in order. It may take its time; it must take `visible` meanwhile.
 // Type gamma: ztest_plane, with a stream triangle_depth from raster_pineda, and TdbV stand where
 // ztest_index and the Z-buffer do. Else triangle_depth_o is one bit, 0, never valid.
 //
@@ -19,7 +19,7 @@
 // state: the most of triangles × interval of triangle_setup, visited stamps, and groups of
 // shade_gouraud, and a few hundred.
 // Stall: each stream waits for its taker; a `visible` or `pixel` not taken stops all that is before.
-// Frame registers, lights and materials change only while busy_o is 0. Inner streams are there to watch, where the unit
+// Frame registers, lights, materials and textures change only while busy_o is 0. Inner streams are there to watch, where the unit
 // offers them. `planes` never waits.
 module hs_pipeline #(
   parameter int unsigned LanesX = 2,
@@ -47,7 +47,11 @@ module hs_pipeline #(
   localparam int unsigned LightWordBits = hs_formats_pkg::LightWordBits,
   localparam int unsigned MaterialWordBits = hs_formats_pkg::MaterialWordBits,
   localparam int unsigned NormalsBits = hs_formats_pkg::NormalsWordBits,
-  localparam int unsigned ColoursBits = hs_formats_pkg::ColoursWordBits
+  localparam int unsigned ColoursBits = hs_formats_pkg::ColoursWordBits,
+  localparam int unsigned TextureWordBits = hs_formats_pkg::TextureWordBits,
+  localparam int unsigned TexelWordBits = hs_formats_pkg::TexelWordBits,
+  localparam int unsigned CoordinatesBits = hs_formats_pkg::TextureCoordinatesWordBits,
+  localparam int unsigned TexturePlanesBits = hs_formats_pkg::TexturePlanesWordBits
 ) (
   input  logic                        clk_i,
   input  logic                        rst_ni,
@@ -63,6 +67,10 @@ module hs_pipeline #(
   input  logic [LightWordBits-1:0]    light_i,
   input  logic                        material_valid_i,
   input  logic [MaterialWordBits-1:0] material_i,
+  input  logic                        texture_valid_i,
+  input  logic [TextureWordBits-1:0]  texture_i,
+  input  logic                        texel_valid_i,
+  input  logic [TexelWordBits-1:0]    texel_i,
   input  logic                        triangle_valid_i,
   output logic                        triangle_ready_o,
   input  hs_formats_pkg::triangle_t   triangle_i,
@@ -76,6 +84,9 @@ module hs_pipeline #(
   input  logic                        normals_valid_i,
   output logic                        normals_ready_o,
   input  logic [NormalsBits-1:0]      normals_i,
+  input  logic                        texture_coordinates_valid_i,
+  output logic                        texture_coordinates_ready_o,
+  input  logic [CoordinatesBits-1:0]  texture_coordinates_i,
 
   // To the frame
   output logic                        pixel_valid_o,
@@ -98,6 +109,12 @@ module hs_pipeline #(
   output logic                        planes_valid_o,
   output logic                        planes_ready_o,
   output hs_formats_pkg::planes_t     planes_o,
+  output logic                        texture_planes_valid_o,
+  output logic                        texture_planes_ready_o,
+  output logic [TexturePlanesBits-1:0] texture_planes_o,
+  output logic                        lit_valid_o,
+  output logic                        lit_ready_o,
+  output logic [PixelBits-1:0]        lit_o,
   output logic                        triangle_depth_valid_o,
   output logic                        triangle_depth_ready_o,
   output logic [TriangleDepthBits-1:0] triangle_depth_o,
@@ -118,7 +135,7 @@ module hs_pipeline #(
   // --- frames ---
   logic frames_open, start_valid, start_ready, start_clear, scan_bank, planes_bank;
   logic setup_triangle_ready;
-  logic pixel_last;
+  logic pixel_last, stored_last;
 
   assign triangle_ready_o = frames_open && setup_triangle_ready;
   assign pixel_last = pixel_o[PixelBits-1];
@@ -132,6 +149,7 @@ module hs_pipeline #(
     .triangle_last_i(triangle_i.last),
     .visible_last_i (visible_valid_o && visible_ready_i && visible_o.last),
     .planes_last_i  (planes_valid_o && planes_ready_o && planes_o.last),
+    .stored_last_i  (stored_last),
     .pixel_last_i   (pixel_valid_o && pixel_ready_i && pixel_last),
     .start_valid_o  (start_valid),
     .start_ready_i  (start_ready),
@@ -453,6 +471,13 @@ module hs_pipeline #(
     .normals_valid_i   (normals_valid_i),
     .normals_ready_o   (normals_ready_o),
     .normals_i         (normals_i),
+    .texture_valid_i   (texture_valid_i),
+    .texture_i         (texture_i),
+    .texel_valid_i     (texel_valid_i),
+    .texel_i           (texel_i),
+    .texture_coordinates_valid_i(texture_coordinates_valid_i),
+    .texture_coordinates_ready_o(texture_coordinates_ready_o),
+    .texture_coordinates_i      (texture_coordinates_i),
     .attributes_valid_i(shade_valid),
     .attributes_ready_o(shade_ready),
     .attributes_i      (shade_attributes),
@@ -467,6 +492,13 @@ module hs_pipeline #(
     .colours_o         (colours_o),
     .planes_valid_o    (planes_valid_o),
     .planes_ready_o    (planes_ready_o),
-    .planes_o          (planes_o)
+    .planes_o          (planes_o),
+    .texture_planes_valid_o     (texture_planes_valid_o),
+    .texture_planes_ready_o     (texture_planes_ready_o),
+    .texture_planes_o           (texture_planes_o),
+    .lit_valid_o       (lit_valid_o),
+    .lit_ready_o       (lit_ready_o),
+    .lit_o             (lit_o),
+    .stored_last_o     (stored_last)
   );
 endmodule

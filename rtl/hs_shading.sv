@@ -6,15 +6,21 @@
 //   attributes, normals ─► light_vertex ─colours─► shade_setup ──┼─► TdbS ─► shade_gouraud ◄─ scan
 //   attributes, normals                   ─► phong_setup ────────┘           or shade_phong ─► pixel
 //
-// The first way without lighting, the last with Phong shading. Words of `normals` come for
-// attributes that are not empty, in their order. `planes` never waits. Stall: as its units.
-// Lights and materials are written while no frame is in flight.
+// The first way without lighting, the last with Phong shading. With texture there are a second
+// setup, a second part of TdbS and a second shader, which takes the pixels of the first:
+//
+//   attributes, texture_coordinates ─► texture_setup ─texture_planes─► TdbS ─► shade_texture ◄─ scan, lit
+//
+// Words of `normals` and `texture_coordinates` come for attributes that are not empty, in their
+// order. Planes never wait. Stall: as its units. Lights, materials, textures and texels are written
+// while no frame is in flight.
 module hs_shading #(
   parameter int unsigned LanesX = 2,
   parameter int unsigned LanesY = 2,
   parameter int unsigned AttributesFifoDepth = 4,
   parameter int unsigned ColoursFifoDepth = 4,
   parameter int unsigned ScanFifoDepth = 4,
+  parameter int unsigned TextureScanFifoDepth = 64,  // stamps on their way through the first shader
   localparam int unsigned Lanes = LanesX * LanesY,
   localparam int unsigned XBits = hs_formats_pkg::XBits,
   localparam int unsigned YBits = hs_formats_pkg::YBits,
@@ -25,7 +31,11 @@ module hs_shading #(
   localparam int unsigned LightWordBits = hs_formats_pkg::LightWordBits,
   localparam int unsigned MaterialWordBits = hs_formats_pkg::MaterialWordBits,
   localparam int unsigned NormalsBits = hs_formats_pkg::NormalsWordBits,
-  localparam int unsigned ColoursBits = hs_formats_pkg::ColoursWordBits
+  localparam int unsigned ColoursBits = hs_formats_pkg::ColoursWordBits,
+  localparam int unsigned TextureWordBits = hs_formats_pkg::TextureWordBits,
+  localparam int unsigned TexelWordBits = hs_formats_pkg::TexelWordBits,
+  localparam int unsigned CoordinatesBits = hs_formats_pkg::TextureCoordinatesWordBits,
+  localparam int unsigned TexturePlanesBits = hs_formats_pkg::TexturePlanesWordBits
 ) (
   input  logic                        clk_i,
   input  logic                        rst_ni,
@@ -41,6 +51,13 @@ module hs_shading #(
   input  logic                        normals_valid_i,
   output logic                        normals_ready_o,
   input  logic [NormalsBits-1:0]      normals_i,
+  input  logic                        texture_valid_i,
+  input  logic [TextureWordBits-1:0]  texture_i,
+  input  logic                        texel_valid_i,
+  input  logic [TexelWordBits-1:0]    texel_i,
+  input  logic                        texture_coordinates_valid_i,
+  output logic                        texture_coordinates_ready_o,
+  input  logic [CoordinatesBits-1:0]  texture_coordinates_i,
 
   // From triangle_setup or visible_select
   input  logic                        attributes_valid_i,
@@ -63,15 +80,24 @@ module hs_shading #(
   output logic [ColoursBits-1:0]      colours_o,
   output logic                        planes_valid_o,
   output logic                        planes_ready_o,
-  output hs_formats_pkg::planes_t     planes_o
+  output hs_formats_pkg::planes_t     planes_o,
+  output logic                        texture_planes_valid_o,
+  output logic                        texture_planes_ready_o,
+  output logic [TexturePlanesBits-1:0] texture_planes_o,
+  output logic                        lit_valid_o,
+  output logic                        lit_ready_o,
+  output logic [PixelBits-1:0]        lit_o,
+
+  output logic                        stored_last_o  // all planes of a frame are stored
 );
   localparam int unsigned Lights = hs_formats_pkg::Lights;
   localparam int unsigned Phong = hs_formats_pkg::Phong;
+  localparam int unsigned HasTexture = hs_formats_pkg::HasTexture;
   localparam int unsigned EntryBits = $clog2(hs_formats_pkg::Triangles);
   localparam int unsigned PlanesBits = $bits(planes_o) - 2 - IndexBits;
 
   // --- attributes ─► planes ---
-  logic setup_valid, setup_ready;
+  logic both_valid, both_ready, setup_valid, setup_ready;
   hs_formats_pkg::attributes_t setup_attributes;
 
   hs_fifo #(
@@ -83,8 +109,8 @@ module hs_shading #(
     .in_valid_i (attributes_valid_i),
     .in_ready_o (attributes_ready_o),
     .in_i       (attributes_i),
-    .out_valid_o(setup_valid),
-    .out_ready_i(setup_ready),
+    .out_valid_o(both_valid),
+    .out_ready_i(both_ready),
     .out_o      (setup_attributes)
   );
 
@@ -191,8 +217,9 @@ module hs_shading #(
     .write_data_i   (planes_o[PlanesBits-1:0])
   );
 
-  // --- scan ─► pixel ---
-  logic shade_scan_valid, shade_scan_ready;
+  // --- scan ─► pixels without texture ---
+  logic light_scan_valid, light_scan_ready, shade_scan_valid, shade_scan_ready, light_valid, light_ready;
+  logic [PixelBits-1:0] light;
   logic [ScanBits-1:0] shade_scan;
 
   hs_fifo #(
@@ -201,8 +228,8 @@ module hs_shading #(
   ) u_scan_fifo (
     .clk_i      (clk_i),
     .rst_ni     (rst_ni),
-    .in_valid_i (scan_valid_i),
-    .in_ready_o (scan_ready_o),
+    .in_valid_i (light_scan_valid),
+    .in_ready_o (light_scan_ready),
     .in_i       (scan_i),
     .out_valid_o(shade_scan_valid),
     .out_ready_i(shade_scan_ready),
@@ -228,9 +255,9 @@ module hs_shading #(
       .read_bank_o     (read_bank),
       .read_entry_o    (read_entry),
       .read_planes_i   (read_planes),
-      .pixel_valid_o   (pixel_valid_o),
-      .pixel_ready_i   (pixel_ready_i),
-      .pixel_o         (pixel_o)
+      .pixel_valid_o   (light_valid),
+      .pixel_ready_i   (light_ready),
+      .pixel_o         (light)
     );
   end else begin : gen_shade_gouraud
     hs_shade_gouraud #(
@@ -247,9 +274,157 @@ module hs_shading #(
       .read_bank_o  (read_bank),
       .read_entry_o (read_entry),
       .read_planes_i(read_planes),
-      .pixel_valid_o(pixel_valid_o),
-      .pixel_ready_i(pixel_ready_i),
-      .pixel_o      (pixel_o)
+      .pixel_valid_o(light_valid),
+      .pixel_ready_i(light_ready),
+      .pixel_o      (light)
     );
+  end
+
+  // --- Texture ---
+  if (HasTexture != 0) begin : gen_texture
+    localparam int unsigned EntryPlanesBits = TexturePlanesBits - 2 - IndexBits;
+    logic coordinates_valid, coordinates_ready, texture_scan_valid, texture_scan_ready;
+    logic queued_scan_valid, queued_scan_ready, planes_last, texture_last, texture_bank_q;
+    logic read_texture_en, read_texture_bank, store_empty;
+    logic [1:0] planes_ahead_q, texture_ahead_q;  // frames that one is stored of and the other not
+    logic [EntryBits-1:0] read_texture_entry, store_texture_entry;
+    logic [IndexBits-1:0] store_index;
+    logic [EntryPlanesBits-1:0] read_texture_planes, store_texture_planes;
+    logic [ScanBits-1:0] queued_scan;
+
+    hs_fork u_attributes_fork (
+      .clk_i         (clk_i),
+      .rst_ni        (rst_ni),
+      .in_valid_i    (both_valid),
+      .in_ready_o    (both_ready),
+      .first_valid_o (setup_valid),
+      .first_ready_i (setup_ready),
+      .second_valid_o(coordinates_valid),
+      .second_ready_i(coordinates_ready)
+    );
+
+    hs_texture_setup #(
+      .CoordinateBits(hs_formats_pkg::CoordinateBits)
+    ) u_texture_setup (
+      .clk_i                      (clk_i),
+      .rst_ni                     (rst_ni),
+      .attributes_valid_i         (coordinates_valid),
+      .attributes_ready_o         (coordinates_ready),
+      .attributes_i               (setup_attributes),
+      .texture_coordinates_valid_i(texture_coordinates_valid_i),
+      .texture_coordinates_ready_o(texture_coordinates_ready_o),
+      .texture_coordinates_i      (texture_coordinates_i),
+      .texture_planes_valid_o     (texture_planes_valid_o),
+      .texture_planes_ready_i     (texture_planes_ready_o),
+      .texture_planes_o           (texture_planes_o)
+    );
+
+    assign texture_planes_ready_o = 1'b1;
+    assign {texture_last, store_empty, store_index, store_texture_planes} = texture_planes_o;
+    assign store_texture_entry = EntryBits'(store_index) - EntryBits'(1);
+
+    hs_ram_1r1w #(
+      .Width(EntryPlanesBits),
+      .Depth(2 << EntryBits)
+    ) u_texture_database (
+      .clk_i          (clk_i),
+      .read_en_i      (read_texture_en),
+      .read_address_i ({read_texture_bank, read_texture_entry}),
+      .read_data_o    (read_texture_planes),
+      .write_en_i     (texture_planes_valid_o && !store_empty),
+      .write_address_i({texture_bank_q, store_texture_entry}),
+      .write_data_i   (store_texture_planes)
+    );
+
+    // A frame is stored when both setups have come to its end.
+    assign planes_last = planes_valid_o && planes_o.last;
+    assign stored_last_o = (planes_last && texture_ahead_q != 2'd0)
+                           || (texture_planes_valid_o && texture_last && planes_ahead_q != 2'd0)
+                           || (planes_last && texture_planes_valid_o && texture_last);
+
+    always_ff @(posedge clk_i or negedge rst_ni) begin
+      if (!rst_ni) begin
+        texture_bank_q <= 1'b0;
+        planes_ahead_q <= 2'd0;
+        texture_ahead_q <= 2'd0;
+      end else begin
+        if (texture_planes_valid_o && texture_last) texture_bank_q <= !texture_bank_q;
+        planes_ahead_q <= planes_ahead_q + 2'(planes_last) - 2'(stored_last_o);
+        texture_ahead_q <= texture_ahead_q + 2'(texture_planes_valid_o && texture_last)
+                           - 2'(stored_last_o);
+      end
+    end
+
+    hs_fork u_scan_fork (
+      .clk_i         (clk_i),
+      .rst_ni        (rst_ni),
+      .in_valid_i    (scan_valid_i),
+      .in_ready_o    (scan_ready_o),
+      .first_valid_o (light_scan_valid),
+      .first_ready_i (light_scan_ready),
+      .second_valid_o(texture_scan_valid),
+      .second_ready_i(texture_scan_ready)
+    );
+
+    hs_fifo #(
+      .Width(ScanBits),
+      .Depth(TextureScanFifoDepth)
+    ) u_texture_scan_fifo (
+      .clk_i      (clk_i),
+      .rst_ni     (rst_ni),
+      .in_valid_i (texture_scan_valid),
+      .in_ready_o (texture_scan_ready),
+      .in_i       (scan_i),
+      .out_valid_o(queued_scan_valid),
+      .out_ready_i(queued_scan_ready),
+      .out_o      (queued_scan)
+    );
+
+    hs_shade_texture #(
+      .LanesX(LanesX),
+      .LanesY(LanesY)
+    ) u_shade_texture (
+      .clk_i          (clk_i),
+      .rst_ni         (rst_ni),
+      .texture_valid_i(texture_valid_i),
+      .texture_i      (texture_i),
+      .texel_valid_i  (texel_valid_i),
+      .texel_i        (texel_i),
+      .scan_valid_i   (queued_scan_valid),
+      .scan_ready_o   (queued_scan_ready),
+      .scan_i         (queued_scan),
+      .lit_valid_i    (lit_valid_o),
+      .lit_ready_o    (lit_ready_o),
+      .lit_i          (lit_o),
+      .read_en_o      (read_texture_en),
+      .read_bank_o    (read_texture_bank),
+      .read_entry_o   (read_texture_entry),
+      .read_planes_i  (read_texture_planes),
+      .pixel_valid_o  (pixel_valid_o),
+      .pixel_ready_i  (pixel_ready_i),
+      .pixel_o        (pixel_o)
+    );
+    assign lit_valid_o = light_valid;
+    assign light_ready = lit_ready_o;
+    assign lit_o = light;
+  end else begin : gen_no_texture
+    logic unused_texture;
+    assign unused_texture = ^{texture_valid_i, texture_i, texel_valid_i, texel_i,
+                              texture_coordinates_valid_i, texture_coordinates_i};
+    assign setup_valid = both_valid;
+    assign both_ready = setup_ready;
+    assign light_scan_valid = scan_valid_i;
+    assign scan_ready_o = light_scan_ready;
+    assign pixel_valid_o = light_valid;
+    assign light_ready = pixel_ready_i;
+    assign pixel_o = light;
+    assign texture_coordinates_ready_o = 1'b0;
+    assign texture_planes_valid_o = 1'b0;
+    assign texture_planes_ready_o = 1'b0;
+    assign texture_planes_o = '0;
+    assign lit_valid_o = 1'b0;
+    assign lit_ready_o = 1'b0;
+    assign lit_o = '0;
+    assign stored_last_o = planes_valid_o && planes_o.last;
   end
 endmodule

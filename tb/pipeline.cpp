@@ -8,6 +8,13 @@ namespace halfspace::tb {
 namespace {
 
 constexpr int kPause = 64;
+// What is loaded before a frame, and what geometry answers to `visible`.
+constexpr const char* kLoads[] = {"light", "material", "texture", "texel"};
+constexpr const char* kAnswers[] = {"normals", "texture_coordinates"};
+template <std::size_t N>
+bool is_one_of(const char* const (&names)[N], const std::string& name) {
+  return std::find(std::begin(names), std::end(names), name) != std::end(names);
+}
 // After reset the pipeline clears its I-buffer, in the smallest stamps two million words a bank.
 constexpr std::uint64_t kResetPatience = 10'000'000;
 
@@ -46,15 +53,16 @@ bool same_words(const Vectors& vectors, const char* name, std::size_t a, std::si
   return true;
 }
 
-// Whether one frame may follow the other without a pause: registers, lights and materials are the same.
+// Whether one frame may follow the other without a pause: registers and what is loaded are the same.
 bool may_follow(const Vectors& vectors, std::size_t a, std::size_t b) {
-  return same_registers(vectors.frames[a], vectors.frames[b]) && same_words(vectors, "light", a, b) && same_words(vectors, "material", a, b);
+  return same_registers(vectors.frames[a], vectors.frames[b]) &&
+         std::all_of(std::begin(kLoads), std::end(kLoads), [&](const char* name) { return same_words(vectors, name, a, b); });
 }
 
 // What geometry has heard of the triangles, and may send for it.
 struct Geometry {
   std::size_t triangles = 0;  // the triangle after a window of those whose results are known
-  std::size_t normals = 0;    // a word for each visible one
+  std::size_t answers = 0;    // a word for each visible one
 };
 
 // Of the last frame.
@@ -93,14 +101,14 @@ Result run_pipeline(Model* model, const Vectors& vectors, const Options& options
   Receiver* pixel = nullptr;
   bool scans = false;
   for (const Stream& stream : vectors.streams) {
-    if (stream.name == "triangle" || stream.name == "normals") {
+    if (stream.name == "triangle" || is_one_of(kAnswers, stream.name)) {
       Sender& sender = bench.add_sender(stream);
-      if (stream.name == "triangle") triangles = &sender;
       senders.emplace_back(&stream, &sender);
-      if (stream.name == "normals") sender.hold(&geometry.normals);
+      if (stream.name == "triangle") triangles = &sender;
+      else sender.hold(&geometry.answers);
       continue;
     }
-    if (stream.name == "light" || stream.name == "material") {
+    if (is_one_of(kLoads, stream.name)) {
       loads.emplace_back(&stream, &bench.add_sender(stream));
       continue;
     }
@@ -110,7 +118,7 @@ Result run_pipeline(Model* model, const Vectors& vectors, const Options& options
       const Field& visible = stream.need("visible", "the answers of geometry");
       receivers.back().second->on_word([&geometry, &visible](const std::uint32_t* word) {
         ++geometry.triangles;
-        geometry.normals += visible.raw(word) != 0;
+        geometry.answers += visible.raw(word) != 0;
       });
     }
     scans = scans || stream.name == "scan";

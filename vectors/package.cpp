@@ -105,8 +105,7 @@ std::string texture_text(const Config& c, const std::vector<Layout>& layouts) {
   const FormatTable t = format_table(c);
   const auto number = [&](int value) { return has_texture(c) ? value : 0; };
   const auto inverse = [&](int value) { return has_perspective(c) ? value : 0; };
-  return constants_text({{"HasTexture", has_texture(c)},
-                         {"Bilinear", is_bilinear(c)},
+  return constants_text({{"Bilinear", is_bilinear(c)},
                          {"Perspective", has_perspective(c)},
                          {"Texels", c.texels},
                          {"Textures", c.textures},
