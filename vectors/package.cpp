@@ -101,7 +101,7 @@ std::string texture_text(const Config& c) {
                                      {"Texels", c.texels},
                                      {"Textures", c.textures},
                                      {"TextureBits", t.texture.width},
-                                     {"RepeatBits", t.repeat.width},
+                                     {"RepeatBits", t.repeats.width},
                                      {"SideBits", t.side.width},
                                      {"TexelAddressBits", t.texel_address.width},
                                      {"CoordinateBits", t.coordinate.width},
@@ -112,14 +112,14 @@ std::string texture_text(const Config& c) {
                                      {"FilteredFraction", kFilteredFraction},
                                      {"FilteredBits", t.filtered.width},
                                      {"TextureWordBits", layouts[0].bits},
-                                     {"TexelWordBits", layouts[1].bits}});
+                                     {"TexelWordBits", layouts[1].bits},
+                                     {"InverseBits", has_perspective(c) ? t.inverse.width : 0},
+                                     {"InverseShiftBits", has_perspective(c) ? t.inverse_shift.width : 0},
+                                     {"InverseIndexBits", kInverseIndexBits},
+                                     {"InverseOffsetBits", kInverseOffsetBits},
+                                     {"InverseValueFraction", kInverseValueFraction},
+                                     {"InverseSlopeBits", kInverseSlopeBits}});
   if (has_perspective(c)) {
-    text += constants_text({{"InverseBits", t.inverse.width},
-                            {"InverseShiftBits", t.inverse_shift.width},
-                            {"InverseIndexBits", kInverseIndexBits},
-                            {"InverseOffsetBits", kInverseOffsetBits},
-                            {"InverseValueFraction", kInverseValueFraction},
-                            {"InverseSlopeBits", kInverseSlopeBits}});
     text += "\n" + table_text("InverseTable", inverse_table(), kInverseSegments, kInverseValueFraction, kInverseSlopeBits);
   }
   text += "\n";
