@@ -25,7 +25,7 @@ struct FormatTable {
   NumberFormat material, light, gloss, normal, direction, squared_length, root, root_shift, dot, projection, cosine;
   NumberFormat coefficient, light_sum;
   NumberFormat normal_offset, normal_plane, normal_gradient, normal_numerator, normal_start, normal_start_gradient;
-  NumberFormat texture, repeat, side, texel_address;
+  NumberFormat texture, repeats, side, texel_address;
   NumberFormat coordinate, coordinate_plane, coordinate_gradient, coordinate_numerator, coordinate_start, coordinate_start_gradient;
   NumberFormat inverse, inverse_shift, texel_place, filtered;
 };
@@ -113,7 +113,7 @@ constexpr FormatTable texture_formats(const Config& c, FormatTable t) {
   const int b = has_texture(c) ? c.coordinate_bits : 10, side = has_texture(c) ? exact_log2(c.texels) : 2;
   // 0: none; 1 … textures.
   t.texture = {bits_for(c.textures), bits_for(c.textures), false};
-  t.repeat = {kRepeatBits, kRepeatBits, false};
+  t.repeats = {kRepeatBits, kRepeatBits, false};
   t.side = {bits_for(side), bits_for(side), false};  // log2 of a side, which is no longer than the memory
   t.texel_address = {side, side, false};
   const ChannelFormats coordinate = channel_formats(c, b, c.coordinate_fraction);
@@ -293,7 +293,7 @@ struct Formats {
     using StartGradient = HS_NUMBER(normal_start_gradient);
   };
   using TextureNumber = HS_NUMBER(texture);
-  using Repeat = HS_NUMBER(repeat);
+  using Repeats = HS_NUMBER(repeats);
   using Side = HS_NUMBER(side);
   using TexelAddress = HS_NUMBER(texel_address);
   using Coordinate = HS_NUMBER(coordinate);

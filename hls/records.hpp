@@ -175,12 +175,12 @@ struct TextureCoordinates {
   Bit last;
   typename F::Index index;
   typename F::TextureNumber texture;  // 0: none, and the rest means nothing
-  typename F::Repeat repeat;          // e
+  typename F::Repeats repeats;          // e
   typename F::Coordinate s[3], t[3], q[3];
 
   template <class V>
   void visit(V&& v) {
-    v("last", last), v("index", index), v("texture", texture), v("repeat", repeat);
+    v("last", last), v("index", index), v("texture", texture), v("repeats", repeats);
     v("s0", s[0]), v("s1", s[1]), v("s2", s[2]);
     v("t0", t[0]), v("t1", t[1]), v("t2", t[2]);
     if (F::kPerspective) v("q0", q[0]), v("q1", q[1]), v("q2", q[2]);
@@ -195,13 +195,13 @@ struct TexturePlanes {
   Bit empty;  // nothing to store
   typename F::Index index;
   typename F::TextureNumber texture;
-  typename F::Repeat repeat;
+  typename F::Repeats repeats;
   typename F::CoordinatePlane start[3];  // s, t, q at the centre of pixel (0, 0) of the frame, ½ included
   typename F::CoordinateGradient dx[3], dy[3];
 
   template <class V>
   void visit(V&& v) {
-    v("last", last), v("empty", empty), v("index", index), v("texture", texture), v("repeat", repeat);
+    v("last", last), v("empty", empty), v("index", index), v("texture", texture), v("repeats", repeats);
     v("s", start[0]), v("s_dx", dx[0]), v("s_dy", dy[0]);
     v("t", start[1]), v("t_dx", dx[1]), v("t_dy", dy[1]);
     if (F::kPerspective) v("q", start[2]), v("q_dx", dx[2]), v("q_dy", dy[2]);

@@ -70,7 +70,7 @@ TexturePosition<F> texture_position(const TexturePlanes<F>& planes, const Textur
   // Rounded: the starts have the ½.
   const Coordinate s = plane_at<F>(planes.start[0], planes.dx[0], planes.dy[0], x, y);
   const Coordinate t = plane_at<F>(planes.start[1], planes.dx[1], planes.dy[1], x, y);
-  const int e = int(raw(planes.repeat)), b = Coordinate::width();
+  const int e = int(raw(planes.repeats)), b = Coordinate::width();
   TexturePosition<F> position;
   if (F::kPerspective) {
     const Coordinate q = plane_at<F>(planes.start[2], planes.dx[2], planes.dy[2], x, y);

@@ -22,7 +22,7 @@ void texture_setup(Stream<Attributes<F>>& attributes, Stream<TextureCoordinates<
   if (!raw(in.empty)) {
     const TextureCoordinates<F> given = coordinates.read();
     out.texture = given.texture;
-    out.repeat = given.repeat;
+    out.repeats = given.repeats;
     const PlaneBase<F> base = frame_base(in);
     const VertexOrder order = vertex_order(in);
     const typename F::Coordinate* const component[3] = {given.s, given.t, given.q};

@@ -179,7 +179,7 @@ void expect_places_within_bound() {
         const TexturePosition<F> at = texture_position<F>(planes, entry, x, y);
         for (const auto& [values, place, log2_side] :
              {std::tuple(given.s, raw(at.u), raw_texture.log2_width), std::tuple(given.t, raw(at.v), raw_texture.log2_height)}) {
-          const double part = plane(values) / q, side = std::ldexp(1.0, log2_side), span = std::ldexp(side, given.repeat);
+          const double part = plane(values) / q, side = std::ldexp(1.0, log2_side), span = std::ldexp(side, given.repeats);
           const double bound = vectors::texture_place_bound(config, span, part, q, distance) + vectors::texture_cut_bound(config);
           const double want = part * span - (is_bilinear(config) ? 0.5 : 0);
           // What the nearest cuts off does not matter: it is half of it to either side of the middle.

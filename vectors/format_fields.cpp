@@ -67,7 +67,7 @@ const std::vector<FormatField>& texture_format_fields() {
   using T = FormatTable;
   static const std::vector<FormatField> fields = {
       {"texture", &T::texture, "0: none, 1 … textures", has_texture},
-      {"repeat", &T::repeat, "e: a triangle spans 2^15 repetitions at most", has_texture},
+      {"repeats", &T::repeats, "e: a triangle spans 2^15 repetitions at most", has_texture},
       {"side", &T::side, "log2 of a side, 0 … log2(texels)", has_texture},
       {"texel_address", &T::texel_address, "0 … texels − 1", has_texture},
       {"coordinate", &T::coordinate, "b of s, t, q", has_texture},

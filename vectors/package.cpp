@@ -110,7 +110,7 @@ std::string texture_text(const Config& c, const std::vector<Layout>& layouts) {
                          {"Texels", c.texels},
                          {"Textures", c.textures},
                          {"TextureBits", number(t.texture.width)},
-                         {"RepeatBits", number(t.repeat.width)},
+                         {"RepeatBits", number(t.repeats.width)},
                          {"SideBits", number(t.side.width)},
                          {"TexelAddressBits", number(t.texel_address.width)},
                          {"CoordinateBits", number(t.coordinate.width)},

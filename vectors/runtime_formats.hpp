@@ -192,7 +192,7 @@ struct RuntimeFormats {
     using StartGradient = RuntimeFixed<&FormatTable::normal_start_gradient, true>;
   };
   using TextureNumber = RuntimeFixed<&FormatTable::texture, false>;
-  using Repeat = RuntimeFixed<&FormatTable::repeat, false>;
+  using Repeats = RuntimeFixed<&FormatTable::repeats, false>;
   using Side = RuntimeFixed<&FormatTable::side, false>;
   using TexelAddress = RuntimeFixed<&FormatTable::texel_address, false>;
   using Coordinate = RuntimeFixed<&FormatTable::coordinate, false>;

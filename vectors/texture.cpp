@@ -78,11 +78,11 @@ RawCoordinates quantized_coordinates(const std::array<glm::dvec2, 3>& uv, const 
     throw ref::Error(fmt::format("{} spans {:.0f} repetitions of its texture, and at most {} can be: divide the triangle, or its "
                                  "texture coordinates", where, span, 1 << repeats));
   }
-  while (span > std::ldexp(1.0, out.repeat)) ++out.repeat;
+  while (span > std::ldexp(1.0, out.repeats)) ++out.repeats;
   const double full = std::ldexp(1.0, config.coordinate_bits) - 1;
   const double nearest = *std::min_element(w.begin(), w.end());
   for (int v = 0; v < 3; ++v) {
-    const glm::dvec2 part = glm::dvec2(std::ldexp(uv[v].x - whole.x, -out.repeat), std::ldexp(uv[v].y - whole.y, -out.repeat));
+    const glm::dvec2 part = glm::dvec2(std::ldexp(uv[v].x - whole.x, -out.repeats), std::ldexp(uv[v].y - whole.y, -out.repeats));
     double scale = full + 1;
     if (has_perspective(config)) scale = out.q[v] = int(std::max(std::floor(full * nearest / w[v] + 0.5), 1.0));
     out.s[v] = int(std::min(std::floor(part.x * scale + 0.5), full));

@@ -16,7 +16,7 @@ namespace halfspace::vectors {
 
 // The raw bits of the records of the same names.
 struct RawCoordinates {
-  int texture = 0, repeat = 0;
+  int texture = 0, repeats = 0;
   std::array<int, 3> s{}, t{}, q{};  // of the vertices in the order given; affine: q is 0
 };
 struct RawTexture {

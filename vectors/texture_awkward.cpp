@@ -50,7 +50,7 @@ TextureFrame awkward_coordinates(std::size_t triangles, const Config& config, st
   for (std::size_t k = 0; k < triangles; ++k) {
     RawCoordinates& out = frame.triangles.emplace_back();
     out.texture = 1 + below(std::int64_t(frame.textures.size()));
-    out.repeat = below(4);
+    out.repeats = below(4);
     const int around = 1 + below(full);
     for (int v = 0; v < 3; ++v) {
       int q = full;
@@ -71,7 +71,7 @@ TextureFrame awkward_coordinates(std::size_t triangles, const Config& config, st
       }
       out.q[v] = has_perspective(config) ? q : 0;
     }
-    if (k % 8 == 5) out.repeat = (1 << kRepeatBits) - 1;
+    if (k % 8 == 5) out.repeats = (1 << kRepeatBits) - 1;
     if (k % 8 == 6) out.texture = 0;
   }
   return frame;

@@ -49,7 +49,7 @@ TextureCoordinates<F> coordinates_record(const RawCoordinates& in, int index, bo
   out.last = from_raw<Bit>(last);
   out.index = from_raw<typename F::Index>(index);
   out.texture = from_raw<typename F::TextureNumber>(in.texture);
-  out.repeat = from_raw<typename F::Repeat>(in.repeat);
+  out.repeats = from_raw<typename F::Repeats>(in.repeats);
   for (int v = 0; v < 3; ++v) {
     out.s[v] = from_raw<typename F::Coordinate>(in.s[v]);
     out.t[v] = from_raw<typename F::Coordinate>(in.t[v]);
