@@ -96,7 +96,8 @@ void expect_reuse(Config config, int window) {
   config.triangles = 2000;
   ref::RasterFormat format = vectors::raster_format(configuration_of(config));
   const ref::SnappedList list = crowd(format);
-  const vectors::LightingFrame normals = vectors::awkward_normals(list.triangles.size(), config, 7);
+  vectors::LightingFrame normals;
+  if (has_lighting(config)) normals = vectors::awkward_normals(list.triangles.size(), config, 7);
   const auto large = vectors::make_engine(configuration_of(config), 4);
   if (has_lighting(config)) large->light(normals);
   const ref::Frame want = large->render(list);

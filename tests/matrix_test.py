@@ -17,6 +17,9 @@ sys.path.insert(0, str(TESTS.parent / "tb"))
 from model import build  # noqa: E402
 
 NORMAL_FRACTION = {"low": 13, "middle": 15, "high": 18}
+TEXTURE = {"low": {"texels": 4096, "textures": 16, "coordinate_bits": 16, "coordinate_fraction": 13},
+           "middle": {"texels": 65536, "textures": 32, "coordinate_bits": 24, "coordinate_fraction": 14},
+           "high": {"texels": 1048576, "textures": 64, "coordinate_bits": 24, "coordinate_fraction": 15}}
 
 
 def configuration(case, path):
@@ -32,7 +35,8 @@ def configuration(case, path):
     if shading == "phong":
         text += f"normal_fraction = {NORMAL_FRACTION[size]}\n"
     if texture:
-        raise SystemExit(f"matrix: {case}: there are no textures")
+        text += f'texture = "{texture[0]}"\nmapping = "{texture[1]}"\n'
+        text += "".join(f"{key} = {value}\n" for key, value in TEXTURE[size].items())
     path.write_text(text)
 
 
@@ -51,12 +55,13 @@ def try_case(args, case):
     if code:
         return False, text
     bench = build(package, args.lanes, "hs_pipeline", folder / "model", args.library, verilator=args.verilator, cxx=args.cxx)
-    for scene, seeds, options in (("standard", args.seeds, []), ("teapot", 1, ["--no-corners", "--size", "160x120"])):
+    scene = args.textured_scene if case.count("-") > 2 else "teapot"
+    for scene, seeds, options in (("standard", args.seeds, []), (scene, 1, ["--no-corners", "--size", "160x120"])):
         code, text = run([sys.executable, TESTS / "cosim_test.py", args.halfspace, bench, folder / "vectors", scene, toml,
                           args.lanes, "--stall", 30, "--seeds", seeds, "--", *options])
         if code:
             return False, text
-        print(f"{case}, {scene}: {text.strip().splitlines()[-1]}", flush=True)
+        print(f"{case}, {pathlib.Path(scene).stem}: {text.strip().splitlines()[-1]}", flush=True)
     shutil.rmtree(folder, ignore_errors=True)
     return True, ""
 
@@ -67,6 +72,7 @@ def main():
     parser.add_argument("folder")
     parser.add_argument("case", nargs="+")
     parser.add_argument("--library", action="append", required=True)
+    parser.add_argument("--textured-scene", help="a file with textures, for the cases with texture")
     parser.add_argument("--lanes", type=int, default=4)
     parser.add_argument("--seeds", type=int, default=2)
     parser.add_argument("--jobs", type=int, default=1)

@@ -61,7 +61,6 @@ package hs_formats_pkg;
   localparam int unsigned NormalFraction = 0;
   localparam int unsigned NormalPlaneBits = 0;
   localparam logic [0:0] RootTable = '0;
-  localparam int unsigned HasTexture = 0;
   localparam int unsigned Bilinear = 0;
   localparam int unsigned Perspective = 0;
   localparam int unsigned Texels = 0;
