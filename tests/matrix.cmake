@@ -22,3 +22,9 @@ foreach(size IN ITEMS low middle high)
 endforeach()
 halfspace_matrix(matrix_long 4 10 ${all})
 set_tests_properties(matrix_long PROPERTIES LABELS long)
+
+# A frame of 3104 triangles with 2500 indices.
+halfspace_cosim_file(reuse 4 pipeline)
+add_test(NAME pipeline_reuse_castle COMMAND Python3::Interpreter ${cosim_tool} $<TARGET_FILE:halfspace>
+         ${CMAKE_CURRENT_BINARY_DIR}/model_pipeline_reuse_4/bench ${CMAKE_CURRENT_BINARY_DIR}/pipeline_reuse_castle castle
+         ${CMAKE_CURRENT_SOURCE_DIR}/configs/reuse.toml 4 --stall 30 --seeds 3 -- --window 64 --random 1)
