@@ -39,7 +39,7 @@ module hs_texture_place #(
     // The bit below rounds.
     assign place = window_q[WindowBits-1:1] + PlaceBits'(window_q[0])
                    - (PlaceBits'(1) << (WeightBits - 1));
-    assign outside = {PlaceBits{1'b1}} << (log2_side_i + WeightBits);
+    assign outside = ({PlaceBits{1'b1}} << WeightBits) << log2_side_i;
   end else begin : gen_nearest
     assign place = window_q;
     assign outside = {PlaceBits{1'b1}} << log2_side_i;

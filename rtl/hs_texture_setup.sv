@@ -37,12 +37,13 @@ module hs_texture_setup #(
   localparam int unsigned ValuesBits = 3 * Channels * CoordinateBits;
 
   // --- The two words of a triangle; channels, each {v0, v1, v2}, in the order of the attributes ---
-  logic valid, ready, unused_head;
+  logic valid, ready, unused_head, unused_colours;
   logic [TextureBits-1:0] texture;
   logic [RepeatBits-1:0] repeats;
   logic [ValuesBits-1:0] given, values;
 
   assign unused_head = ^texture_coordinates_i[CoordinatesBits-1 -: 1+IndexBits];
+  assign unused_colours = ^attributes_i;
   assign {texture, repeats, given} = texture_coordinates_i[TextureBits+RepeatBits+ValuesBits-1:0];
   assign valid = attributes_valid_i && (attributes_i.empty || texture_coordinates_valid_i);
   assign attributes_ready_o = valid && ready;
