@@ -35,6 +35,8 @@ const Unit kUnits[] = {
     {"light_vertex", "light_vertex_", {"normals"}, {"colours"}, {"light", "material"}, false},
     {"phong_setup", "phong_setup_", {"visible_attributes", "normals"}, {"planes"}, {}, false},
     {"shade_phong", "shade_phong_", {"scan"}, {"pixel"}, {"light", "material", "planes"}, false},
+    {"texture_setup", "texture_setup_", {"visible_attributes", "texture_coordinates"}, {"texture_planes"}, {}, false},
+    {"shade_texture", "shade_texture_", {"scan", "lit"}, {"pixel"}, {"texture", "texel", "texture_planes"}, false},
 };
 
 // The units of the configuration that a vector set is of: its streams tell which Z-test it has, and a stream that it has not
