@@ -30,8 +30,9 @@ module hs_shade_setup #(
   input  logic                        planes_ready_i,
   output hs_formats_pkg::planes_t     planes_o
 );
-  logic valid, ready;
+  logic valid, ready, unused_attributes;
 
+  assign unused_attributes = ^attributes_i;  // the order of vertices, for others
   if (Lit != 0) begin : gen_join
     assign valid = attributes_valid_i && (attributes_i.empty || colours_valid_i);
     assign colours_ready_o = valid && ready && !attributes_i.empty;

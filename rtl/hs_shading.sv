@@ -285,7 +285,7 @@ module hs_shading #(
     localparam int unsigned EntryPlanesBits = TexturePlanesBits - 2 - IndexBits;
     logic coordinates_valid, coordinates_ready, texture_scan_valid, texture_scan_ready;
     logic queued_scan_valid, queued_scan_ready, planes_last, texture_last, texture_bank_q;
-    logic read_texture_en, read_texture_bank, store_empty;
+    logic read_texture_en, read_texture_bank, store_empty, unused_index;
     logic [1:0] planes_ahead_q, texture_ahead_q;  // frames that one is stored of and the other not
     logic [EntryBits-1:0] read_texture_entry, store_texture_entry;
     logic [IndexBits-1:0] store_index;
@@ -322,6 +322,7 @@ module hs_shading #(
     assign texture_planes_ready_o = 1'b1;
     assign {texture_last, store_empty, store_index, store_texture_planes} = texture_planes_o;
     assign store_texture_entry = EntryBits'(store_index) - EntryBits'(1);
+    assign unused_index = ^store_index;  // a power of two of entries has a bit less
 
     hs_ram_1r1w #(
       .Width(EntryPlanesBits),

@@ -42,6 +42,7 @@ module hs_triangle_setup #(
   localparam int unsigned Gouraud = hs_formats_pkg::Gouraud;
   localparam int unsigned DepthsBits = HasDepth != 0 ? 3 * hs_formats_pkg::DepthBits : 1;
   localparam int unsigned Phong = hs_formats_pkg::Phong;
+  localparam int unsigned HasTexture = hs_formats_pkg::HasTexture;
   localparam int unsigned ColourBits = hs_formats_pkg::TriangleColourBits;
   localparam int unsigned OrderBits = hs_formats_pkg::OrderBits;
   localparam int unsigned ShadeBits = OrderBits + ColourBits != 0 ? OrderBits + ColourBits : 1;
@@ -85,7 +86,7 @@ module hs_triangle_setup #(
     .shade_o         (shade)
   );
 
-  if (HasDepth != 0 || Gouraud != 0 || Phong != 0) begin : gen_planes
+  if (HasDepth != 0 || Gouraud != 0 || Phong != 0 || HasTexture != 0) begin : gen_planes
     hs_setup_record #(
       .Fraction(hs_formats_pkg::ReciprocalFraction)
     ) u_setup_record (
