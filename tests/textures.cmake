@@ -1,0 +1,18 @@
+# Configurations with texture (textured_configs.hpp, configs/textured_*.toml): the tops, the units of the RTL against the kernels, lint,
+# faults, and what Yosys finds. The pipeline with texture: matrix.cmake.
+foreach(pair IN ITEMS textured_low-4 textured_middle-4 textured_phong-1 textured_flat-16)
+  string(REPLACE "-" ";" pair ${pair})
+  list(GET pair 0 name)
+  list(GET pair 1 lanes)
+  halfspace_cosim_file(${name} ${lanes} texture_units)
+endforeach()
+add_test(NAME lint_texture COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tb/lint.py --verilator ${HALFSPACE_VERILATOR}
+         --package ${CMAKE_CURRENT_BINARY_DIR}/model_texture_units_textured_low_4/hs_formats_pkg.sv
+         --package ${CMAKE_CURRENT_BINARY_DIR}/model_texture_units_textured_middle_4/hs_formats_pkg.sv
+         --package ${CMAKE_CURRENT_BINARY_DIR}/model_texture_units_textured_phong_1/hs_formats_pkg.sv)
+add_test(NAME faults_texture COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tb/faults/run.py --top hs_texture_units
+  --faults ${PROJECT_SOURCE_DIR}/tb/faults/texture.txt --config ${CMAKE_CURRENT_SOURCE_DIR}/configs/textured_middle.toml
+  --package ${CMAKE_CURRENT_BINARY_DIR}/model_texture_units_textured_middle_4/hs_formats_pkg.sv --halfspace $<TARGET_FILE:halfspace>
+  --work ${CMAKE_CURRENT_BINARY_DIR}/faults_texture --jobs 2 --library $<TARGET_FILE:halfspace_tb>
+  --library $<TARGET_FILE:halfspace_verilated> --verilator ${HALFSPACE_VERILATOR} --cxx ${CMAKE_CXX_COMPILER})
+set_tests_properties(faults_texture PROPERTIES PROCESSORS 2 TIMEOUT 1800)
