@@ -110,12 +110,14 @@ constexpr FormatTable lighting_formats(const Config& c, FormatTable t) {
 
 // The numbers of texture; without it no record carries one, and the types are idle.
 constexpr FormatTable texture_formats(const Config& c, FormatTable t) {
-  const int b = has_texture(c) ? c.coordinate_bits : 10, side = has_texture(c) ? exact_log2(c.texels) : 2;
+  const int b = has_texture(c) ? c.coordinate_bits : 10, memory = has_texture(c) ? exact_log2(c.texels) : 2;
+  // log2 of the longest side: the other has one texel, or two in banks.
+  const int side = is_bilinear(c) ? memory - 1 : memory;
   // 0: none; 1 … textures.
   t.texture = {bits_for(c.textures), bits_for(c.textures), false};
   t.repeats = {kRepeatBits, kRepeatBits, false};
-  t.side = {bits_for(side), bits_for(side), false};  // log2 of a side, which is no longer than the memory
-  t.texel_address = {side, side, false};
+  t.side = {bits_for(side), bits_for(side), false};
+  t.texel_address = {memory, memory, false};
   const ChannelFormats coordinate = channel_formats(c, b, c.coordinate_fraction);
   t.coordinate = coordinate.value;
   t.coordinate_plane = coordinate.plane;
