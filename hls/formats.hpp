@@ -26,7 +26,8 @@ struct FormatTable {
   NumberFormat coefficient, light_sum;
   NumberFormat normal_offset, normal_plane, normal_gradient, normal_numerator, normal_start, normal_start_gradient;
   NumberFormat texture, repeats, side, texel_address;
-  NumberFormat coordinate, coordinate_plane, coordinate_gradient, coordinate_numerator, coordinate_start, coordinate_start_gradient;
+  NumberFormat coordinate, coordinate_plane, coordinate_gradient, coordinate_numerator;
+  NumberFormat coordinate_start, coordinate_start_gradient;
   NumberFormat inverse, inverse_shift, texel_place, filtered;
 };
 
@@ -39,8 +40,8 @@ constexpr int kRootFraction = 18;
 constexpr int kInverseFraction = 20;
 // A triangle spans 2^e repetitions of its texture at most, each way.
 constexpr int kRepeatBits = 4;
-// Fraction bits of the place of a pixel among texels: the weights of a bilinear filter. And those that the filtered texel keeps:
-// half of its last place is 2^−9 LSB of the picture.
+// Fraction bits of the place of a pixel among texels: the weights of a bilinear filter. And those that the filtered
+// texel keeps: half of its last place is 2^−9 LSB of the picture.
 constexpr int kWeightBits = 8, kFilteredFraction = 8;
 
 // u: fraction bits of a cosine. An exponent of 16 makes 16 times its error, so that 2^−(b+8) becomes 2^−4 LSB.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Texture in the kernels: the reciprocal of a pixel, the product with a colour, and where a pixel lies among texels against its bound.
+// Texture in the kernels: the reciprocal of a pixel, the product with a colour, and where a pixel lies among texels
+// against its bound.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -84,7 +85,8 @@ TEST(Product, IsRounded) {
   expect_products<8>();
 }
 
-// The pixels that a triangle covers, or some of them, with the weights of its vertices in their own order, times the area.
+// The pixels that a triangle covers, or some of them, with the weights of its vertices in their own order, times the
+// area.
 template <class Visit>
 void for_covered(const ref::SnappedTriangle& in, int width, int height, int f, Visit visit) {
   const ref::OrderedTriangle exact(in);
@@ -100,7 +102,8 @@ void for_covered(const ref::SnappedTriangle& in, int width, int height, int f, V
       bool inside = true;
       for (int i = 0; i < 3; ++i) {
         const int a = (i + 1) % 3, b = (i + 2) % 3;
-        const std::int64_t w = (exact.x[b] - exact.x[a]) * (py - exact.y[a]) - (exact.y[b] - exact.y[a]) * (px - exact.x[a]);
+        const std::int64_t w =
+            (exact.x[b] - exact.x[a]) * (py - exact.y[a]) - (exact.y[b] - exact.y[a]) * (px - exact.x[a]);
         weight[std::size_t(exact.vertex[i])] = w;
         inside = inside && w >= 0;
       }
@@ -143,34 +146,39 @@ void expect_places_within_bound() {
       turned += exact.vertex[1] != (exact.vertex[0] + 1) % 3;
       first += in.y[0] > std::min(in.y[1], in.y[2]);
       const vectors::RawTexture& raw_texture = texture.textures[std::size_t(given.texture) - 1];
-      for_covered(in, scene.width, scene.height, config.subpixel_bits,
-                  [&](int x, int y, const std::array<std::int64_t, 3>& weight, double distance) {
-        const auto plane = [&](const std::array<int, 3>& values) {
-          ref::Wide sum = 0;
-          for (int v = 0; v < 3; ++v) sum += ref::Wide(weight[std::size_t(v)]) * values[std::size_t(v)];
-          return double((long double)sum / (long double)exact.area);
-        };
-        const double q = has_perspective(config) ? plane(given.q) : std::ldexp(1.0, config.coordinate_bits);
-        const TexturePosition<F> at = kernels.position(std::uint32_t(k) + 1, x, y);
-        for (const auto& [values, place, log2_side] :
-             {std::tuple(given.s, raw(at.u), raw_texture.log2_width), std::tuple(given.t, raw(at.v), raw_texture.log2_height)}) {
-          const double part = plane(values) / q, side = std::ldexp(1.0, log2_side), span = std::ldexp(side, given.repeats);
-          const double bound = vectors::texture_place_bound(config, span, part, q, distance) + vectors::texture_cut_bound(config);
-          const double want = part * span - (is_bilinear(config) ? 0.5 : 0);
-          // What the nearest cuts off does not matter: it is half of it to either side of the middle.
-          const double cut = is_bilinear(config) ? 0 : std::ldexp(0.5, -kWeightBits);
-          const double error = std::fabs(difference(std::ldexp(double(place), -kWeightBits) + cut, want, side)) - cut;
-          if (bound < side / 2) {
-            share = std::max(share, error / bound);
-            ++compared;
-          }
-          EXPECT_LE(error, bound) << frames[n].note << ", triangle " << k + 1 << ", pixel " << x << ", " << y;
-        }
-      });
+      for_covered(
+          in, scene.width, scene.height, config.subpixel_bits,
+          [&](int x, int y, const std::array<std::int64_t, 3>& weight, double distance) {
+            const auto plane = [&](const std::array<int, 3>& values) {
+              ref::Wide sum = 0;
+              for (int v = 0; v < 3; ++v) sum += ref::Wide(weight[std::size_t(v)]) * values[std::size_t(v)];
+              return double((long double)sum / (long double)exact.area);
+            };
+            const double q = has_perspective(config) ? plane(given.q) : std::ldexp(1.0, config.coordinate_bits);
+            const TexturePosition<F> at = kernels.position(std::uint32_t(k) + 1, x, y);
+            for (const auto& [values, place, log2_side] : {std::tuple(given.s, raw(at.u), raw_texture.log2_width),
+                                                           std::tuple(given.t, raw(at.v), raw_texture.log2_height)}) {
+              const double part = plane(values) / q, side = std::ldexp(1.0, log2_side),
+                           span = std::ldexp(side, given.repeats);
+              const double bound =
+                  vectors::texture_place_bound(config, span, part, q, distance) + vectors::texture_cut_bound(config);
+              const double want = part * span - (is_bilinear(config) ? 0.5 : 0);
+              // What the nearest cuts off does not matter: it is half of it to either side of the middle.
+              const double cut = is_bilinear(config) ? 0 : std::ldexp(0.5, -kWeightBits);
+              const double error =
+                  std::fabs(difference(std::ldexp(double(place), -kWeightBits) + cut, want, side)) - cut;
+              if (bound < side / 2) {
+                share = std::max(share, error / bound);
+                ++compared;
+              }
+              EXPECT_LE(error, bound) << frames[n].note << ", triangle " << k + 1 << ", pixel " << x << ", " << y;
+            }
+          });
       if (testing::Test::HasFailure()) return;
     }
   }
-  std::printf("%-16s %llu places, %.3f of the bound at most\n", config.name, static_cast<unsigned long long>(compared), share);
+  std::printf("%-16s %llu places, %.3f of the bound at most\n", config.name, static_cast<unsigned long long>(compared),
+              share);
   EXPECT_GT(compared, 10000u);
   EXPECT_GT(share, 0.5) << "the frames are blind, or the bound is loose";
   EXPECT_GT(turned, 100u);
@@ -186,7 +194,8 @@ TEST(TexturePlaces, AreWithinTheBound) {
 
 // All pixels of awkward frames, each with the triangle that covers it last.
 template <class F>
-std::vector<std::array<std::uint8_t, 4>> pictures_of(const Config& config, const std::vector<vectors::NamedFrame>& frames) {
+std::vector<std::array<std::uint8_t, 4>> pictures_of(const Config& config,
+                                                     const std::vector<vectors::NamedFrame>& frames) {
   std::vector<std::array<std::uint8_t, 4>> all;
   for (std::size_t n = 0; n < frames.size(); ++n) {
     const ref::SnappedList& scene = frames[n].scene;
@@ -194,10 +203,11 @@ std::vector<std::array<std::uint8_t, 4>> pictures_of(const Config& config, const
     std::vector<std::array<std::uint8_t, 4>> lit(index.size(), {255, 255, 255, 255});
     for (std::size_t k = 0; k < scene.triangles.size(); ++k) {
       if (ref::OrderedTriangle(scene.triangles[k]).area == 0) continue;
-      for_covered(scene.triangles[k], scene.width, scene.height, config.subpixel_bits, [&](int x, int y, const auto&, double) {
-        index[std::size_t(y) * scene.width + x] = std::uint32_t(k) + 1;
-        lit[std::size_t(y) * scene.width + x][1] = std::uint8_t(37 * k);
-      });
+      for_covered(scene.triangles[k], scene.width, scene.height, config.subpixel_bits,
+                  [&](int x, int y, const auto&, double) {
+                    index[std::size_t(y) * scene.width + x] = std::uint32_t(k) + 1;
+                    lit[std::size_t(y) * scene.width + x][1] = std::uint8_t(37 * k);
+                  });
     }
     TextureKernels<F> kernels(scene, vectors::awkward_coordinates(scene.triangles.size(), config, n));
     const auto picture = kernels.shade(index, lit);
@@ -238,16 +248,18 @@ TEST(TextureFormats, NoWidthIsABitTooWide) {
       NumberFormat& format = table.*field.format;
       --format.width, format.integer = std::max(format.integer - 1, 0);
       F::activate(config, table);
-      EXPECT_TRUE(pictures_of<F>(config, frames) != want) << field.name << " of " << config.name << " can do with " << format.width << " bits";
+      EXPECT_TRUE(pictures_of<F>(config, frames) != want)
+          << field.name << " of " << config.name << " can do with " << format.width << " bits";
     }
   }
 }
 
 TEST(TextureConfigurations, FilesAndHeadersAgree) {
-  for (const Config& config : {TexturedLow::config(), TexturedMiddle::config(), TexturedHigh::config(), TexturedFlat::config(),
-                               TexturedPhong::config()}) {
+  for (const Config& config : {TexturedLow::config(), TexturedMiddle::config(), TexturedHigh::config(),
+                               TexturedFlat::config(), TexturedPhong::config()}) {
     const std::string path = std::string(HALFSPACE_SOURCE "/tests/configs/") + config.name + ".toml";
-    EXPECT_EQ(vectors::configuration_toml(vectors::find_configuration(path)), vectors::configuration_toml(configuration_of(config)));
+    EXPECT_EQ(vectors::configuration_toml(vectors::find_configuration(path)),
+              vectors::configuration_toml(configuration_of(config)));
     EXPECT_TRUE(vectors::same_numbers(vectors::find_configuration(path).config(), config)) << config.name;
     EXPECT_NE(vectors::configuration_header(configuration_of(config)).find(", TextureFilter::k"), std::string::npos);
   }
@@ -264,7 +276,9 @@ TEST(TextureConfigurations, AreRefusedWithAReason) {
     }
     return std::string("accepted");
   };
-  const auto says = [&](auto change, const char* what) { EXPECT_NE(refusal_of(change).find(what), std::string::npos) << refusal_of(change); };
+  const auto says = [&](auto change, const char* what) {
+    EXPECT_NE(refusal_of(change).find(what), std::string::npos) << refusal_of(change);
+  };
   EXPECT_EQ(refusal_of([](Config&) {}), "accepted");
   says([](Config& c) { c.coordinate_bits = 25; }, "coordinate_bits is 10 to 24");
   says([](Config& c) { c.texels = 3000; }, "texels is a power of two");
@@ -274,16 +288,19 @@ TEST(TextureConfigurations, AreRefusedWithAReason) {
   says([](Config& c) { c.coordinate_fraction = 14; }, "planes of texture coordinates can be off");
   says([](Config& c) { c.coordinate_fraction = 21; }, "more fraction bits than its reciprocal");
   says([](Config& c) { c.texture = TextureFilter::kNone; }, "where texture is \"none\"");
-  says([](Config& c) {
-    const Config plain = vectors::find_configuration("high").config();
-    c = plain, c.mapping = TextureMapping::kPerspective;
-  }, "where texture is \"none\"");
+  says(
+      [](Config& c) {
+        const Config plain = vectors::find_configuration("high").config();
+        c = plain, c.mapping = TextureMapping::kPerspective;
+      },
+      "where texture is \"none\"");
 }
 
 // As the memory has room: powers of two, the largest halved first; a picture that fits is as it was.
 TEST(Textures, AreFittedToTheMemory) {
   const auto texture = [](const char* name, int width, int height) {
-    return ref::Texture{name, width, height, std::vector<std::array<std::uint8_t, 3>>(std::size_t(width) * height, {9, 99, 199})};
+    return ref::Texture{name, width, height,
+                        std::vector<std::array<std::uint8_t, 3>>(std::size_t(width) * height, {9, 99, 199})};
   };
   ref::Scene scene;
   scene.name = "scene";
@@ -292,7 +309,9 @@ TEST(Textures, AreFittedToTheMemory) {
   ref::Scene in_low = scene, in_middle = scene;
   const auto warnings = vectors::fit_textures(in_low, low);
   ASSERT_EQ(warnings.size(), 2u);
-  EXPECT_EQ(warnings[0], "large: 64x64 texels are scaled to 32x32: configuration textured_low has 4096 texels, and sides of powers of two");
+  EXPECT_EQ(warnings[0],
+            "large: 64x64 texels are scaled to 32x32: configuration textured_low has 4096 texels, and sides of powers "
+            "of two");
   EXPECT_NE(warnings[1].find("odd: 33x17 texels are scaled to 32x16"), std::string::npos);
   EXPECT_EQ(in_low.textures[2].width, 1);
   for (const ref::Texture& t : in_low.textures) EXPECT_EQ(t.texels, texture("", t.width, t.height).texels);
@@ -308,13 +327,6 @@ TEST(Textures, AreFittedToTheMemory) {
   EXPECT_THROW(vectors::fit_textures(scene, low), ref::Error);
 }
 
-TEST(Textures, HalfOfThemIsAMean) {
-  const ref::Texture texture{"texture", 3, 2, {{0, 10, 100}, {30, 20, 100}, {60, 30, 100}, {0, 10, 200}, {30, 20, 200}, {60, 30, 200}}};
-  const ref::Texture half = ref::resampled(texture, 2, 1);
-  EXPECT_EQ(half.texels, (std::vector<std::array<std::uint8_t, 3>>{{10, 13, 150}, {50, 27, 150}}));
-  EXPECT_EQ(ref::resampled(texture, 3, 2).texels, texture.texels);
-}
-
 TEST(Coordinates, AreQuantized) {
   const Config config = TexturedMiddle::config();
   const int full = (1 << 24) - 1;
@@ -323,7 +335,8 @@ TEST(Coordinates, AreQuantized) {
   EXPECT_EQ(words.q, (std::array<int, 3>{full, 1 << 23, 1}));
   EXPECT_EQ(words.s, (std::array<int, 3>{0, 3 << 21, 0}));
   EXPECT_EQ(words.t, (std::array<int, 3>{0, 0, 1}));
-  const auto affine = vectors::quantized_coordinates({{{0, 0}, {0.5, 1}, {1, 0.25}}}, {1, 2, 3}, TexturedLow::config(), "here");
+  const auto affine =
+      vectors::quantized_coordinates({{{0, 0}, {0.5, 1}, {1, 0.25}}}, {1, 2, 3}, TexturedLow::config(), "here");
   EXPECT_EQ(affine.repeats, 0);
   EXPECT_EQ(affine.s, (std::array<int, 3>{0, 1 << 15, (1 << 16) - 1}));
   EXPECT_EQ(affine.q, (std::array<int, 3>{0, 0, 0}));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The texture kernels on a frame that is drawn already: which triangle each pixel shows, and what it looks like without texture.
+// The texture kernels on a frame that is drawn already: which triangle each pixel shows, and what it looks like without
+// texture.
 #ifndef HALFSPACE_TESTS_TEXTURE_KERNELS_HPP_
 #define HALFSPACE_TESTS_TEXTURE_KERNELS_HPP_
 
@@ -20,7 +21,8 @@ class TextureKernels {
   using Picture = std::vector<std::array<std::uint8_t, 4>>;  // 0 … 255, alpha 255
 
   // Loads the textures, and sets up the planes of all triangles that are not empty.
-  TextureKernels(const ref::SnappedList& list, const vectors::TextureFrame& frame) : width_(list.width), height_(list.height) {
+  TextureKernels(const ref::SnappedList& list, const vectors::TextureFrame& frame)
+      : width_(list.width), height_(list.height) {
     vectors::load_textures<F>(frame, *table_);
     vectors::load_texels<F>(frame, *memory_);
     Frame<F> registers{};
@@ -82,7 +84,9 @@ class TextureKernels {
   std::size_t pixel(int x, int y) const {
     return x < width_ && y < height_ ? std::size_t(y) * width_ + x : std::size_t(width_) * height_;
   }
-  static std::uint8_t displayed(const typename F::Colour& colour) { return ref::displayed_colour(unsigned(raw(colour)), F::kColourBits); }
+  static std::uint8_t displayed(const typename F::Colour& colour) {
+    return ref::displayed_colour(unsigned(raw(colour)), F::kColourBits);
+  }
 
   const int width_, height_;
   std::unique_ptr<TextureTable<F>> table_ = std::make_unique<TextureTable<F>>();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Perspective-correct texture against Mesa's llvmpipe, on the same triangles: snapped positions with their w, a texture that repeats
-// and multiplies the colour of a triangle.
+// Perspective-correct texture against Mesa's llvmpipe, on the same triangles: snapped positions with their w, a texture
+// that repeats and multiplies the colour of a triangle.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -31,15 +31,20 @@ ref::Texture picture(bool smooth) {
   ref::Texture texture{"picture", kSide, kSide, {}};
   for (int j = 0; j < kSide; ++j) {
     for (int i = 0; i < kSide; ++i) {
-      const auto wave = [](double turns) { return std::uint8_t(std::lround(127.5 + 127.5 * std::sin(2 * M_PI * turns / kSide))); };
+      const auto wave = [](double turns) {
+        return std::uint8_t(std::lround(127.5 + 127.5 * std::sin(2 * M_PI * turns / kSide)));
+      };
       if (smooth) texture.texels.push_back({wave(i), wave(2 * j), wave(i + j)});
-      else texture.texels.push_back({std::uint8_t(4 * i), std::uint8_t(4 * j), std::uint8_t(4 * ((i + 16 * (j % 4)) % kSide))});
+      else
+        texture.texels.push_back(
+            {std::uint8_t(4 * i), std::uint8_t(4 * j), std::uint8_t(4 * ((i + 16 * (j % 4)) % kSide))});
     }
   }
   return texture;
 }
 
-// A triangle within the frame, of 32 pixels or more: the planes of llvmpipe are of floats, and its slivers are its own matter.
+// A triangle within the frame, of 32 pixels or more: the planes of llvmpipe are of floats, and its slivers are its own
+// matter.
 struct Case {
   ref::SnappedTriangle triangle{};
   std::array<glm::dvec2, 3> uv;
@@ -73,7 +78,8 @@ struct Differences {
   }
   void print(const char* what) const {
     std::printf("  %-22s", what);
-    for (std::size_t by = 0; by < 5; ++by) std::printf("  %zu%s: %llu", by, by == 4 ? "…" : "", static_cast<unsigned long long>(channels[by]));
+    for (std::size_t by = 0; by < 5; ++by)
+      std::printf("  %zu%s: %llu", by, by == 4 ? "…" : "", static_cast<unsigned long long>(channels[by]));
     std::printf("\n");
   }
 };
@@ -113,7 +119,8 @@ Comparison compare(bool coloured) {
     for (int v = 0; v < 3; ++v) {
       c.triangle.rgb[v] = colour;
       const double x = c.triangle.x[v] / 256.0, y = c.triangle.y[v] / 256.0;
-      for (const double value : {x * c.w[v], y * c.w[v], 0.5 * c.w[v], c.w[v]}) arrays.positions.push_back(float(value));
+      for (const double value : {x * c.w[v], y * c.w[v], 0.5 * c.w[v], c.w[v]})
+        arrays.positions.push_back(float(value));
       for (const double value : {c.uv[v].x, c.uv[v].y}) arrays.coordinates.push_back(float(value));
       arrays.colours.insert(arrays.colours.end(), {colour[0], colour[1], colour[2], 255});
     }
@@ -139,7 +146,8 @@ Comparison compare(bool coloured) {
         const glm::dvec3 texel = ref::sample(texture, uv, filter, texels);
         bool kernels_differ = false, mesa_differs = false;
         for (int i = 0; i < 3; ++i) {
-          const int expected = ref::snapped_colour(colour[i] * texel[i] / 255, 8), theirs = int(by_mesa[at] >> 8 * i & 255);
+          const int expected = ref::snapped_colour(colour[i] * texel[i] / 255, 8),
+                    theirs = int(by_mesa[at] >> 8 * i & 255);
           result.kernels.add(by_kernels[at][i], theirs);
           result.reference.add(expected, theirs);
           result.both.add(by_kernels[at][i], expected);
@@ -160,23 +168,25 @@ Comparison compare(bool coloured) {
       }
     }
   }
-  std::printf("%s, %s: %d triangles, %llu pixels, %llu of them covered otherwise\n", smooth ? "GL_LINEAR" : "GL_NEAREST",
-              coloured ? "coloured" : "white", kTriangles, static_cast<unsigned long long>(result.pixels),
-              static_cast<unsigned long long>(result.coverage));
+  std::printf("%s, %s: %d triangles, %llu pixels, %llu of them covered otherwise\n",
+              smooth ? "GL_LINEAR" : "GL_NEAREST", coloured ? "coloured" : "white", kTriangles,
+              static_cast<unsigned long long>(result.pixels), static_cast<unsigned long long>(result.coverage));
   result.kernels.print("kernels and Mesa");
   result.reference.print("reference and Mesa");
   result.both.print("kernels and reference");
   if (!smooth) {
-    std::printf("  another texel than the exact one: kernels %llu pixels, %.5f texels from its border at most; Mesa %llu, %.5f\n",
-                static_cast<unsigned long long>(result.kernels_other), result.kernels_farthest,
-                static_cast<unsigned long long>(result.mesa_other), result.mesa_farthest);
+    std::printf(
+        "  another texel than the exact one: kernels %llu pixels, %.5f texels from its border at most; Mesa %llu, "
+        "%.5f\n",
+        static_cast<unsigned long long>(result.kernels_other), result.kernels_farthest,
+        static_cast<unsigned long long>(result.mesa_other), result.mesa_farthest);
   }
   return result;
 }
 
-// llvmpipe weights texels with 8 bits too, but rounds after each of three interpolations, and once more after the product: up to
-// half an LSB each, of which the interpolations of the columns are weighted with 1 together. The kernels are within 0.7 LSB of the
-// exact colour on waves as smooth as these.
+// llvmpipe weights texels with 8 bits too, but rounds after each of three interpolations, and once more after the
+// product: up to half an LSB each, of which the interpolations of the columns are weighted with 1 together. The kernels
+// are within 0.7 LSB of the exact colour on waves as smooth as these.
 TEST(TextureMesa, LinearFilter) {
   for (const bool coloured : {false, true}) {
     const Comparison result = compare<TexturedMiddle>(coloured);
@@ -188,8 +198,8 @@ TEST(TextureMesa, LinearFilter) {
   }
 }
 
-// On the right side of a border they show the same. llvmpipe's planes are of floats, 24 bits: over a frame of 128 pixels, and in a
-// texture that is repeated up to three times, they are within 2^-12 texels here, as seen.
+// On the right side of a border they show the same. llvmpipe's planes are of floats, 24 bits: over a frame of 128
+// pixels, and in a texture that is repeated up to three times, they are within 2^-12 texels here, as seen.
 TEST(TextureMesa, NearestFilter) {
   const Comparison result = compare<PerspectiveNearest>(false);
   EXPECT_EQ(result.coverage, 0u);

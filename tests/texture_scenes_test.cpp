@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes with texture in the kernels: where each pixel lies among texels, and its colour, against exact ones and their bounds.
+// Scenes with texture in the kernels: where each pixel lies among texels, and its colour, against exact ones and their
+// bounds.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -35,10 +36,12 @@ ref::Texture made_texture(const std::string& name, int width, int height, bool n
   return texture;
 }
 
-// A built-in scene in two textures, by the positions of its vertices: some triangles span several repetitions, some a part.
+// A built-in scene in two textures, by the positions of its vertices: some triangles span several repetitions, some a
+// part.
 ref::Scene textured_scene(const std::string& name) {
   ref::Scene scene = ref::load_scene(name);
-  scene.textures = {made_texture("waves", 64, 64, false), made_texture("noise", 128, 32, true), made_texture("odd", 100, 60, false)};
+  scene.textures = {made_texture("waves", 64, 64, false), made_texture("noise", 128, 32, true),
+                    made_texture("odd", 100, 60, false)};
   for (ref::Mesh& mesh : scene.meshes) {
     glm::dvec3 least(1e30), most(-1e30);
     for (const glm::dvec3& p : mesh.positions) least = glm::min(least, p), most = glm::max(most, p);
@@ -48,12 +51,15 @@ ref::Scene textured_scene(const std::string& name) {
       mesh.texture_coordinates.emplace_back(3.1 * q.x + 1.3 * q.z - 0.7, 2.3 * q.y - 0.9 * q.z);
     }
   }
-  for (std::size_t m = 0; m < scene.materials.size(); ++m) scene.materials[m].texture = int(m % 4) - (m % 4 == 3 ? 4 : 0);
+  for (std::size_t m = 0; m < scene.materials.size(); ++m)
+    scene.materials[m].texture = int(m % 4) - (m % 4 == 3 ? 4 : 0);
   return scene;
 }
 
 ref::ShadingMode mode_of(const Config& config) {
-  return is_phong(config) ? ref::ShadingMode::kPhong : is_gouraud(config) ? ref::ShadingMode::kGouraud : ref::ShadingMode::kFlat;
+  return is_phong(config)     ? ref::ShadingMode::kPhong
+         : is_gouraud(config) ? ref::ShadingMode::kGouraud
+                              : ref::ShadingMode::kFlat;
 }
 
 struct Result {
@@ -88,8 +94,9 @@ void compare(const std::string& name, ref::Scene scene, int width, int height, R
   const vectors::TextureFrame frame = vectors::texture_frame(geometry, config);
   const auto lit_surface = ref::lit_surface(geometry, list, mode_of(config));
   const ref::Drawing lit = ref::draw(list, *lit_surface, ref::Architecture::kDelta);
-  const ref::TextureMode mode{is_bilinear(config) ? ref::TextureFilter::kBilinear : ref::TextureFilter::kNearest,
-                              has_perspective(config) ? ref::TextureMapping::kPerspective : ref::TextureMapping::kAffine};
+  const ref::TextureMode mode{
+      is_bilinear(config) ? ref::TextureFilter::kBilinear : ref::TextureFilter::kNearest,
+      has_perspective(config) ? ref::TextureMapping::kPerspective : ref::TextureMapping::kAffine};
   const auto surface = ref::textured_surface(ref::lit_surface(geometry, list, mode_of(config)), geometry, list, mode);
   const ref::Drawing want = ref::draw(list, *surface, ref::Architecture::kDelta);
   TextureKernels<F> kernels(list, frame);
@@ -116,16 +123,19 @@ void compare(const std::string& name, ref::Scene scene, int width, int height, R
       // What the nearest cuts off does not matter: it is half of it to either side of the middle.
       const double cut = is_bilinear(config) ? 0 : std::ldexp(0.5, -kWeightBits);
       for (int i = 0; i < 2; ++i) {
-        const double error = std::fabs(std::remainder(std::ldexp(places[i], -kWeightBits) + cut - where[i], sides[i])) - cut;
+        const double error =
+            std::fabs(std::remainder(std::ldexp(places[i], -kWeightBits) + cut - where[i], sides[i])) - cut;
         EXPECT_LE(error, bound[i]) << name << ", pixel " << x << ", " << y;
         result.share = std::max(result.share, error / bound[i]);
         result.place = std::max(result.place, error), result.bound = std::max(result.bound, bound[i]);
       }
       std::uint64_t texels = 0;
       const glm::dvec3 texel = ref::sample(texture, exact, mode.filter, texels);
-      const bool inside = std::fabs(where.x - std::round(where.x)) > bound.x && std::fabs(where.y - std::round(where.y)) > bound.y;
+      const bool inside =
+          std::fabs(where.x - std::round(where.x)) > bound.x && std::fabs(where.y - std::round(where.y)) > bound.y;
       for (int c = 0; c < 3; ++c) {
-        const int value = ref::snapped_colour(got[at][c], config.colour_bits), by = ref::snapped_colour(lit.colour[at][c], config.colour_bits);
+        const int value = ref::snapped_colour(got[at][c], config.colour_bits),
+                  by = ref::snapped_colour(lit.colour[at][c], config.colour_bits);
         if (is_bilinear(config)) {
           const glm::dvec2 steep = steepest(texture, where, bound, c);
           const double most = (glm::dot(bound, steep) + std::ldexp(1.0, -kFilteredFraction - 1)) * by / full +
@@ -135,7 +145,8 @@ void compare(const std::string& name, ref::Scene scene, int width, int height, R
           result.colour = std::max(result.colour, error - 0.5);
         } else if (inside) {
           const int raw_texel = ref::snapped_colour(texel[c], config.colour_bits);
-          EXPECT_EQ(value, (2 * by * raw_texel + full) / (2 * full)) << name << ", pixel " << x << ", " << y << ", channel " << c;
+          EXPECT_EQ(value, (2 * by * raw_texel + full) / (2 * full))
+              << name << ", pixel " << x << ", " << y << ", channel " << c;
         }
         const int off = std::abs(int(got[at][c]) - int(want.colour[at][c]));
         result.differ += off != 0, result.largest = std::max(result.largest, off);
@@ -144,10 +155,13 @@ void compare(const std::string& name, ref::Scene scene, int width, int height, R
       if (testing::Test::HasFailure()) return;
     }
   }
-  std::printf("%-15s %-12s %7llu pixels, %.4f inside a texel; place off by %.4f texels (largest bound %.3f; %.3f of a pixel's); colour "
-              "%.3f LSB beyond rounding; %llu channels differ, by %d at most\n",
-              config.name, name.c_str(), static_cast<unsigned long long>(result.pixels), double(result.sure) / double(result.pixels),
-              result.place, result.bound, result.share, result.colour, static_cast<unsigned long long>(result.differ), result.largest);
+  std::printf(
+      "%-15s %-12s %7llu pixels, %.4f inside a texel; place off by %.4f texels (largest bound %.3f; %.3f of a "
+      "pixel's); colour "
+      "%.3f LSB beyond rounding; %llu channels differ, by %d at most\n",
+      config.name, name.c_str(), static_cast<unsigned long long>(result.pixels),
+      double(result.sure) / double(result.pixels), result.place, result.bound, result.share, result.colour,
+      static_cast<unsigned long long>(result.differ), result.largest);
   EXPECT_GT(result.pixels, 1000u) << name;
   total.pixels += result.pixels, total.sure += result.sure;
   total.share = std::max(total.share, result.share);
@@ -162,8 +176,7 @@ void compare_all(int width, int height) {
   }
   for (const char* file : {"/glTF2/BoxTextured-glTF-Binary/BoxTextured.glb", "/Collada/duck.dae"}) {
     const std::string path = std::string(HALFSPACE_TESTMODELS) + file;
-    compare<C>(path.substr(path.find_last_of('/') + 1), ref::load_scene(path, 0, true), width,
-               height, total);
+    compare<C>(path.substr(path.find_last_of('/') + 1), ref::load_scene(path, 0, true), width, height, total);
   }
   EXPECT_GT(total.share, 0.3) << "the scenes are blind, or the bound is loose";
   if (!is_bilinear(C::config())) {

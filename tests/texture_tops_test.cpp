@@ -14,8 +14,8 @@ using TopTextureDatabase = halfspace::TextureDatabase<halfspace::TopFormats>;
 using TopTextureTable = halfspace::TextureTable<halfspace::TopFormats>;
 using TopTextureMemory = halfspace::TextureMemory<halfspace::TopFormats>;
 extern "C" void texture_setup_top(const std::int64_t*, const std::int64_t*, std::int64_t*);
-extern "C" void shade_texture_top(const std::int64_t*, const std::int64_t*, const TopTextureDatabase*, const TopTextureTable*,
-                                  const TopTextureMemory*, std::int64_t*);
+extern "C" void shade_texture_top(const std::int64_t*, const std::int64_t*, const TopTextureDatabase*,
+                                  const TopTextureTable*, const TopTextureMemory*, std::int64_t*);
 
 namespace halfspace::tests {
 namespace {
@@ -63,7 +63,8 @@ TEST(TextureTops, GiveTheWordsOfTheKernels) {
       const Attributes<F> in = attributes.read();
       const TextureCoordinates<F> given = vectors::coordinates_record<F>(texture.triangles[k], int(k) + 1, false);
       std::vector<std::int64_t> got(std::size_t(kTexturePlanesFields) + 1, -1);
-      texture_setup_top(fields_of(in, kAttributesFields).data(), fields_of(given, kTextureCoordinatesFields).data(), got.data());
+      texture_setup_top(fields_of(in, kAttributesFields).data(), fields_of(given, kTextureCoordinatesFields).data(),
+                        got.data());
       again.write(in), coordinates.write(given);
       texture_setup(again, coordinates, out);
       const TexturePlanes<F> want = out.read();
@@ -77,11 +78,12 @@ TEST(TextureTops, GiveTheWordsOfTheKernels) {
       scan.y = lit.y = from_raw<F::Y>(std::max(int(raw(in.y)), 0) >> F::kSubpixelBits >> F::kLog2LanesY);
       for (int l = 0; l < F::kLanes; ++l) {
         scan.index[l] = from_raw<F::Index>(l % 3 == 2 ? 0 : k + 1);
-        lit.r[l] = from_raw<F::Colour>(255 - l), lit.g[l] = from_raw<F::Colour>(7 * l), lit.b[l] = from_raw<F::Colour>(k);
+        lit.r[l] = from_raw<F::Colour>(255 - l), lit.g[l] = from_raw<F::Colour>(7 * l),
+        lit.b[l] = from_raw<F::Colour>(k);
       }
       std::vector<std::int64_t> shaded(std::size_t(kPixelFields) + 1, -1);
-      shade_texture_top(fields_of(scan, kScanFields).data(), fields_of(lit, kPixelFields).data(), database.get(), table.get(), memory.get(),
-                        shaded.data());
+      shade_texture_top(fields_of(scan, kScanFields).data(), fields_of(lit, kPixelFields).data(), database.get(),
+                        table.get(), memory.get(), shaded.data());
       Stream<Scan<F>> scans;
       Stream<Pixel<F>> before, after;
       scans.write(scan), before.write(lit);

@@ -9,8 +9,8 @@ namespace {
 
 constexpr int kMostLoaded = 1 << 12;  // texels: the words of a frame are loaded before it
 
-// One that fills the memory; or a half, a quarter, and as many small ones in the rest as there may be. Squares, and as long one way
-// and the other as can be.
+// One that fills the memory; or a half, a quarter, and as many small ones in the rest as there may be. Squares, and as
+// long one way and the other as can be.
 std::vector<RawTexture> awkward_textures(const Config& config, std::mt19937_64& random) {
   const int least = is_bilinear(config) ? 1 : 0, region = std::min(config.texels, kMostLoaded);
   // Of a large memory, a part.
@@ -44,7 +44,8 @@ TextureFrame awkward_coordinates(std::size_t triangles, const Config& config, st
     for (int n = 0; n < 1 << (texture.log2_width + texture.log2_height); ++n) {
       RawTexel& texel = frame.texels.emplace_back();
       texel.address = texture.base + n;
-      for (auto& channel : texel.rgb) channel = std::uint8_t(random() % 4 == 0 ? below(2) * (colours - 1) : below(colours));
+      for (auto& channel : texel.rgb)
+        channel = std::uint8_t(random() % 4 == 0 ? below(2) * (colours - 1) : below(colours));
     }
   }
   const int full = (1 << config.coordinate_bits) - 1;
