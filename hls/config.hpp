@@ -18,8 +18,8 @@ enum class Architecture { kDelta, kGamma };
 // Texture at scan-out: none, the texel that a pixel's centre lies in, or four of them weighted.
 enum class TextureFilter { kNone, kNearest, kBilinear };
 
-// How texture coordinates vary over a triangle on the screen: by planes of u and v, or by planes of u/w, v/w and 1/w and a
-// division a pixel.
+// How texture coordinates vary over a triangle on the screen: by planes of u and v, or by planes of u/w, v/w and 1/w and
+// a division a pixel.
 enum class TextureMapping { kAffine, kPerspective };
 
 // A configuration, as in its .toml file. Nothing here can be derived from the rest. What is not there has no numbers: they
@@ -175,7 +175,8 @@ constexpr Refusal refusal(const Config& c) {
     if (!within(c.coordinate_bits, 10, 24)) return Refusal::kCoordinateBits;
     if (!within(c.texels, 4, 1 << 20) || c.texels != 1 << exact_log2(c.texels)) return Refusal::kTexels;
     if (!within(c.textures, 1, 256)) return Refusal::kTextures;
-  } else if (has_perspective(c) || c.texels != 0 || c.textures != 0 || c.coordinate_bits != 0 || c.coordinate_fraction != 0) {
+  } else if (has_perspective(c) || c.texels != 0 || c.textures != 0 || c.coordinate_bits != 0 ||
+             c.coordinate_fraction != 0) {
     return Refusal::kIdleTexture;
   }
   const int longer_side = c.width > c.height ? c.width : c.height;
@@ -187,7 +188,8 @@ constexpr Refusal refusal(const Config& c) {
   if (is_phong(c) && !plane_error_ok(c, normal, c.normal_fraction)) return Refusal::kNormalError;
   const int coordinate = c.coordinate_bits;
   if (has_texture(c) && !plane_error_ok(c, coordinate, c.coordinate_fraction)) return Refusal::kCoordinateError;
-  const int fraction = max_of(max_of(c.depth_fraction, c.colour_fraction), max_of(c.normal_fraction, c.coordinate_fraction));
+  const int fraction =
+      max_of(max_of(c.depth_fraction, c.colour_fraction), max_of(c.normal_fraction, c.coordinate_fraction));
   if (has_planes(c) && c.reciprocal_bits < c.subpixel_bits + fraction) return Refusal::kReciprocalShort;
   const int position = c.range_bits + c.subpixel_bits;
   const int value = max_of(max_of(c.depth_bits, c.colour_bits), max_of(normal, coordinate));
@@ -205,7 +207,8 @@ constexpr Refusal refusal(const Config& c) {
       normal + c.normal_fraction + c.subpixel_bits > 63 || coordinate + c.coordinate_fraction + c.subpixel_bits > 63) {
     return Refusal::kStartWord;
   }
-  const int plane = max_of(max_of(c.colour_bits + c.colour_fraction, normal + c.normal_fraction), coordinate + c.coordinate_fraction);
+  const int plane = max_of(max_of(c.colour_bits + c.colour_fraction, normal + c.normal_fraction),
+                           coordinate + c.coordinate_fraction);
   if (plane + bits_for(longer_side) > 64) return Refusal::kShadeWord;
   if (tests_planes(c) && c.depth_bits + c.depth_fraction + bits_for(longer_side) > 64) return Refusal::kTestWord;
   if (!has_lighting(c)) {

@@ -26,7 +26,8 @@ struct FormatTable {
   NumberFormat coefficient, light_sum;
   NumberFormat normal_offset, normal_plane, normal_gradient, normal_numerator, normal_start, normal_start_gradient;
   NumberFormat texture, repeats, side, texel_address;
-  NumberFormat coordinate, coordinate_plane, coordinate_gradient, coordinate_numerator, coordinate_start, coordinate_start_gradient;
+  NumberFormat coordinate, coordinate_plane, coordinate_gradient, coordinate_numerator;
+  NumberFormat coordinate_start, coordinate_start_gradient;
   NumberFormat inverse, inverse_shift, texel_place, filtered;
 };
 
@@ -39,8 +40,8 @@ constexpr int kRootFraction = 18;
 constexpr int kInverseFraction = 20;
 // A triangle spans 2^e repetitions of its texture at most, each way.
 constexpr int kRepeatBits = 4;
-// Fraction bits of the place of a pixel among texels: the weights of a bilinear filter. And those that the filtered texel keeps:
-// half of its last place is 2^−9 LSB of the picture.
+// Fraction bits of the place of a pixel among texels: the weights of a bilinear filter. And those that the filtered
+// texel keeps: half of its last place is 2^−9 LSB of the picture.
 constexpr int kWeightBits = 8, kFilteredFraction = 8;
 
 // u: fraction bits of a cosine. An exponent of 16 makes 16 times its error, so that 2^−(b+8) becomes 2^−4 LSB.
@@ -110,12 +111,14 @@ constexpr FormatTable lighting_formats(const Config& c, FormatTable t) {
 
 // The numbers of texture; without it no record carries one, and the types are idle.
 constexpr FormatTable texture_formats(const Config& c, FormatTable t) {
-  const int b = has_texture(c) ? c.coordinate_bits : 10, side = has_texture(c) ? exact_log2(c.texels) : 2;
+  const int b = has_texture(c) ? c.coordinate_bits : 10, memory = has_texture(c) ? exact_log2(c.texels) : 2;
+  // log2 of the longest side: the other has one texel, or two in banks.
+  const int side = is_bilinear(c) ? memory - 1 : memory;
   // 0: none; 1 … textures.
   t.texture = {bits_for(c.textures), bits_for(c.textures), false};
   t.repeats = {kRepeatBits, kRepeatBits, false};
-  t.side = {bits_for(side), bits_for(side), false};  // log2 of a side, which is no longer than the memory
-  t.texel_address = {side, side, false};
+  t.side = {bits_for(side), bits_for(side), false};
+  t.texel_address = {memory, memory, false};
   const ChannelFormats coordinate = channel_formats(c, b, c.coordinate_fraction);
   t.coordinate = coordinate.value;
   t.coordinate_plane = coordinate.plane;

@@ -33,9 +33,9 @@ void phong_setup(Stream<Attributes<F>>& attributes, Stream<Normals<F>>& normals,
     const typename F::Normal* const component[3] = {given.x, given.y, given.z};
   Components:
     for (int i = 0; i < 3; ++i) {
-      const auto plane = plane_setup<F, typename F::NormalChannel>(base, offset_component<F>(component[i][order.vertex[0]]),
-                                                                   offset_component<F>(component[i][order.vertex[1]]),
-                                                                   offset_component<F>(component[i][order.vertex[2]]));
+      const auto plane = plane_setup<F, typename F::NormalChannel>(
+          base, offset_component<F>(component[i][order.vertex[0]]), offset_component<F>(component[i][order.vertex[1]]),
+          offset_component<F>(component[i][order.vertex[2]]));
       out.start[i] = plane.start;
       out.dx[i] = plane.dx;
       out.dy[i] = plane.dy;

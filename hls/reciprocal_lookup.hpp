@@ -3,9 +3,10 @@
 //
 //   k places as far as q·2^k < 2^b,  m = q·2^k / 2^(b−1) in [1, 2),  y = 1/m in (½, 1)
 //
-// 1/q = y·2^k / 2^(b−1). The field of m after its leading one, cut to 20 bits, names one of 256 segments and a place x in it; on a
-// segment 1/m is the line v − s·x, which lies as far above the curve at its ends as below in its middle. The line alone is off
-// by (2^−8)²/8 = 2^−19 of y at most, where m is 1; with the cut (2^−20), the last places of v and s and the one rounding to 20 bits,
+// 1/q = y·2^k / 2^(b−1). The field of m after its leading one, cut to 20 bits, names one of 256 segments and a place x
+// in it; on a segment 1/m is the line v − s·x, which lies as far above the curve at its ends as below in its middle.
+// The line alone is off by (2^−8)²/8 = 2^−19 of y at most, where m is 1; with the cut (2^−20), the last places of v and
+// s and the one rounding to 20 bits,
 //
 //   |y·m − 1| < 2^−18      for every m (texture_kernel_test tries all fields, at both ends of what the cut takes away).
 //
@@ -50,7 +51,8 @@ constexpr bool inverse_table_fits() {
   const InverseTable table = inverse_table();
   const int places = kInverseValueFraction + kInverseOffsetBits - kInverseFraction;
   for (int i = 0; i < kInverseSegments; ++i) {
-    const std::uint64_t line = (std::uint64_t(table.value[i]) << kInverseOffsetBits) + (std::uint64_t(1) << (places - 1));
+    const std::uint64_t line =
+        (std::uint64_t(table.value[i]) << kInverseOffsetBits) + (std::uint64_t(1) << (places - 1));
     if (table.value[i] >> kInverseValueFraction != 0 || table.slope[i] >> kInverseSlopeBits != 0) return false;
     if (line >> (kInverseValueFraction + kInverseOffsetBits) != 0) return false;
   }
@@ -83,7 +85,8 @@ Normalize:
   const std::uint64_t field = (top < field_bits ? q << (field_bits - top) : q >> (top - field_bits));
   const int segment = int(field >> kInverseOffsetBits & (kInverseSegments - 1));
   const std::uint64_t offset = field & ((std::uint64_t(1) << kInverseOffsetBits) - 1);
-  const std::uint64_t line = (std::uint64_t(kTable.value[segment]) << kInverseOffsetBits) - kTable.slope[segment] * offset;
+  const std::uint64_t line =
+      (std::uint64_t(kTable.value[segment]) << kInverseOffsetBits) - kTable.slope[segment] * offset;
   const int places = kInverseValueFraction + kInverseOffsetBits - kInverseFraction;
 
   InverseCoordinate<F> result;

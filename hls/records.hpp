@@ -164,8 +164,8 @@ struct NormalPlanes {
   }
 };
 
-// geometry → texture_setup, with F::kHasTexture: of a visible triangle, for its vertices in the order given. With u′ = u less a whole
-// number, the same for all three, and 0 <= u′ <= 2^e, v′ alike:
+// geometry → texture_setup, with F::kHasTexture: of a visible triangle, for its vertices in the order given. With
+// u′ = u less a whole number, the same for all three, and 0 <= u′ <= 2^e, v′ alike:
 //
 //   perspective   q = (2^b − 1)·w_least/w, rounded, 1 at least;  s = q·u′/2^e,  t = q·v′/2^e, rounded
 //   affine        s = 2^b·u′/2^e,  t = 2^b·v′/2^e, rounded, 2^b − 1 at most
@@ -322,8 +322,8 @@ struct LitPixel : Pixel<F> {
   static constexpr const char* kStream = "lit";
 };
 
-// An entry of the table of textures: sides of 2^log2_width and 2^log2_height texels. The base is a multiple of their product, so
-// that it need not be added to what is below.
+// An entry of the table of textures: sides of 2^log2_width and 2^log2_height texels. The base is a multiple of their
+// product, so that it need not be added to what is below.
 template <class F>
 struct TextureEntry {
   static constexpr const char* kStream = "texture";
@@ -337,8 +337,9 @@ struct TextureEntry {
   }
 };
 
-// A word of the texture memory. Texel (i, j) of a texture of width 2^n has the address base + j·2^n + i; with F::kBilinear, in four
-// banks, base + ((j div 2)·2^(n−1) + i div 2)·4 + (j mod 2)·2 + i mod 2: both sides are 2 or more, and the bank comes last.
+// A word of the texture memory. Texel (i, j) of a texture of width 2^n has the address base + j·2^n + i; with
+// F::kBilinear, in four banks, base + ((j div 2)·2^(n−1) + i div 2)·4 + (j mod 2)·2 + i mod 2: both sides are 2 or more,
+// and the bank comes last.
 template <class F>
 struct Texel {
   static constexpr const char* kStream = "texel";

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Texture at scan-out (index rendering): what a pixel looks like without it, times the texel that it shows. Textures repeat, and their
-// sides are powers of two.
+// Texture at scan-out (index rendering): what a pixel looks like without it, times the texel that it shows. Textures
+// repeat, and their sides are powers of two.
 //
-//   perspective   (U, V) = (s·W, t·H)·2^e / q        affine   (U, V) = (s·W, t·H)·2^e / 2^b        in texels, modulo W, H
+//   perspective   (U, V) = (s·W, t·H)·2^e / q      affine   (U, V) = (s·W, t·H)·2^e / 2^b      in texels, modulo W, H
 //
-// s, t, q are the planes at the pixel, rounded to whole numbers. The product with the reciprocal of q is kept whole, and shifted by
-// k, e and log2 of the side until its whole part is that of texels. It is then cut: at whole texels, for the nearest; or half a texel
-// to the left, rounded to 8 bits, which are the weights of the two texels on either side. Where a pixel lies among texels is
-// derived, with its bound, in docs/numerics.md.
+// s, t, q are the planes at the pixel, rounded to whole numbers. The product with the reciprocal of q is kept whole,
+// and shifted by k, e and log2 of the side until its whole part is that of texels. It is then cut: at whole texels, for
+// the nearest; or half a texel to the left, rounded to 8 bits, which are the weights of the two texels on either side.
+// Where a pixel lies among texels is derived, with its bound, in docs/numerics.md.
 //
-// One pixel after the other goes through one set of planes. Cycles of a stamp: its lanes that have a texture, one at least.
-// Multipliers: six for the planes of s, t, q, one in the reciprocal, two with it; bilinear weights, four; a channel four for
-// its texels and one for the product. Affine: four for the planes and none there.
+// One pixel after the other goes through one set of planes. Cycles of a stamp: its lanes that have a texture, one at
+// least. Multipliers: six for the planes of s, t, q, one in the reciprocal, two with it; bilinear weights, four; a
+// channel four for its texels and one for the product. Affine: four for the planes and none there.
 #ifndef HALFSPACE_HLS_SHADE_TEXTURE_HPP_
 #define HALFSPACE_HLS_SHADE_TEXTURE_HPP_
 
@@ -46,7 +46,8 @@ void store_texel(Stream<Texel<F>>& texels, TextureMemory<F>& memory) {
   else memory.bank[0][address] = colour;
 }
 
-// Of a pixel in its texture, modulo the sides: where it lies in texels; for a bilinear filter, half a texel to the left and above.
+// Of a pixel in its texture, modulo the sides: where it lies in texels; for a bilinear filter, half a texel to the left
+// and above.
 template <class F>
 struct TexturePosition {
   typename F::TexelPlace u, v;
@@ -93,7 +94,8 @@ struct FilteredTexel {
 
 // The texel at a position.
 template <class F>
-FilteredTexel<F> nearest_texel(const TexturePosition<F>& at, const TextureEntry<F>& entry, const TextureMemory<F>& memory) {
+FilteredTexel<F> nearest_texel(const TexturePosition<F>& at, const TextureEntry<F>& entry,
+                               const TextureMemory<F>& memory) {
   const int i = int(raw(at.u)) >> kWeightBits, j = int(raw(at.v)) >> kWeightBits;
   const TexelColour<F>& texel = memory.bank[0][int(raw(entry.base)) | j << int(raw(entry.log2_width)) | i];
   FilteredTexel<F> out;
@@ -103,10 +105,11 @@ FilteredTexel<F> nearest_texel(const TexturePosition<F>& at, const TextureEntry<
   return out;
 }
 
-// Of the four texels about a position, weighted: exact, then rounded once, half up. Each is in a bank of its own, as two neighbours
-// differ in the parity of a column or a row.
+// Of the four texels about a position, weighted: exact, then rounded once, half up. Each is in a bank of its own, as
+// two neighbours differ in the parity of a column or a row.
 template <class F>
-FilteredTexel<F> bilinear_texel(const TexturePosition<F>& at, const TextureEntry<F>& entry, const TextureMemory<F>& memory) {
+FilteredTexel<F> bilinear_texel(const TexturePosition<F>& at, const TextureEntry<F>& entry,
+                                const TextureMemory<F>& memory) {
   const int one = 1 << kWeightBits, width = int(raw(entry.log2_width)), height = int(raw(entry.log2_height));
   const int left = int(raw(at.u)) >> kWeightBits, top = int(raw(at.v)) >> kWeightBits;
   const int right = (left + 1) & ((1 << width) - 1), bottom = (top + 1) & ((1 << height) - 1);
@@ -117,7 +120,8 @@ Banks:
     HS_UNROLL
     const bool is_left = (left & 1) == (bank & 1), is_top = (top & 1) == bank >> 1;
     const int column = (is_left ? left : right) >> 1, row = (is_top ? top : bottom) >> 1;
-    const TexelColour<F>& texel = memory.bank[bank & (TextureMemory<F>::kBanks - 1)][int(raw(entry.base)) >> 2 | row << width >> 1 | column];
+    const TexelColour<F>& texel =
+        memory.bank[bank & (TextureMemory<F>::kBanks - 1)][int(raw(entry.base)) >> 2 | row << width >> 1 | column];
     const std::uint32_t weight = std::uint32_t(is_left ? one - a : a) * std::uint32_t(is_top ? one - b : b);
     sum[0] += weight * std::uint32_t(raw(texel.r));
     sum[1] += weight * std::uint32_t(raw(texel.g));
@@ -133,9 +137,9 @@ Channels:
   return out;
 }
 
-// lit · texel / (2^c − 1). With 1/(2^c − 1) = 2^−c·(1 + 2^−c + …) cut after its second term the quotient P·2^−c is too small by 0 to
-// 2^−c LSB, half of which is added with the ½: of a texel without fraction it is rounded right, as no quotient is nearer to a
-// half than ½/(2^c − 1); any other is off by 2^−(c+1) + 2^−(c+8) before rounding.
+// lit · texel / (2^c − 1). With 1/(2^c − 1) = 2^−c·(1 + 2^−c + …) cut after its second term the quotient P·2^−c is too
+// small by 0 to 2^−c LSB, half of which is added with the ½: of a texel without fraction it is rounded right, as no
+// quotient is nearer to a half than ½/(2^c − 1); any other is off by 2^−(c+1) + 2^−(c+8) before rounding.
 template <class F>
 typename F::Colour textured(const typename F::Colour& lit, const typename F::Filtered& texel) {
   const int c = F::kColourBits, places = c + kFilteredFraction;
@@ -145,8 +149,8 @@ typename F::Colour textured(const typename F::Colour& lit, const typename F::Fil
 }
 
 template <class F>
-void shade_texture(Stream<Scan<F>>& scan, Stream<Pixel<F>>& lit, const TextureDatabase<F>& database, const TextureTable<F>& textures,
-                   const TextureMemory<F>& memory, Stream<Pixel<F>>& pixel) {
+void shade_texture(Stream<Scan<F>>& scan, Stream<Pixel<F>>& lit, const TextureDatabase<F>& database,
+                   const TextureTable<F>& textures, const TextureMemory<F>& memory, Stream<Pixel<F>>& pixel) {
   const Scan<F> in = scan.read();
   Pixel<F> out = lit.read();
   const int x = int(raw(in.x)) << F::kLog2LanesX, y = int(raw(in.y)) << F::kLog2LanesY;
@@ -158,7 +162,8 @@ Lanes:
     if (raw(planes.texture) == 0) continue;
     const TextureEntry<F>& entry = textures.entry[int(raw(planes.texture))];
     const TexturePosition<F> at = texture_position<F>(planes, entry, x + l % F::kLanesX, y + l / F::kLanesX);
-    const FilteredTexel<F> texel = F::kBilinear ? bilinear_texel<F>(at, entry, memory) : nearest_texel<F>(at, entry, memory);
+    const FilteredTexel<F> texel =
+        F::kBilinear ? bilinear_texel<F>(at, entry, memory) : nearest_texel<F>(at, entry, memory);
     out.r[l] = textured<F>(out.r[l], texel.channel[0]);
     out.g[l] = textured<F>(out.g[l], texel.channel[1]);
     out.b[l] = textured<F>(out.b[l], texel.channel[2]);

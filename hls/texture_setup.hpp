@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The planes of the texture coordinates of a triangle, for TdbS: s and t, and with perspective q. The coordinates are channels as depths
-// and colours are, unsigned and of b bits, and so their planes have the widths and the bounds of those. Every triangle that has
-// attributes, and is not empty, has a word of coordinates, also one without a texture.
+// The planes of the texture coordinates of a triangle, for TdbS: s and t, and with perspective q. The coordinates are
+// channels as depths and colours are, unsigned and of b bits, and so their planes have the widths and the bounds of
+// those. Every triangle that has attributes, and is not empty, has a word of coordinates, also one without a texture.
 // Interval of the RTL: that of shade_setup with perspective, less a plane without.
 #ifndef HALFSPACE_HLS_TEXTURE_SETUP_HPP_
 #define HALFSPACE_HLS_TEXTURE_SETUP_HPP_
@@ -26,7 +26,7 @@ void texture_setup(Stream<Attributes<F>>& attributes, Stream<TextureCoordinates<
     const PlaneBase<F> base = frame_base(in);
     const VertexOrder order = vertex_order(in);
     const typename F::Coordinate* const component[3] = {given.s, given.t, given.q};
-  Components:
+Components:
     for (int i = 0; i < (F::kPerspective ? 3 : 2); ++i) {
       const auto plane = plane_setup<F, typename F::CoordinateChannel>(
           base, component[i][order.vertex[0]], component[i][order.vertex[1]], component[i][order.vertex[2]]);

@@ -58,24 +58,6 @@ Texture read_texture(const std::string& name, const std::vector<std::uint8_t>& b
   return from_input(name, OIIO::ImageInput::open(is_png ? "embedded.png" : "embedded.jpg", nullptr, &reader), flip);
 }
 
-Texture scaled(Texture texture, int longest) {
-  while (texture.width > longest || texture.height > longest) {
-    Texture half{texture.name, std::max(texture.width / 2, 1), std::max(texture.height / 2, 1), {}};
-    for (int j = 0; j < half.height; ++j) {
-      for (int i = 0; i < half.width; ++i) {
-        std::array<int, 3> sum{};
-        for (int n = 0; n < 4; ++n) {
-          const auto& texel = texture.at(2 * i + n % 2, 2 * j + n / 2);
-          for (int c = 0; c < 3; ++c) sum[c] += texel[c];
-        }
-        half.texels.push_back({std::uint8_t((sum[0] + 2) / 4), std::uint8_t((sum[1] + 2) / 4), std::uint8_t((sum[2] + 2) / 4)});
-      }
-    }
-    texture = std::move(half);
-  }
-  return texture;
-}
-
 Texture resampled(const Texture& texture, int width, int height) {
   Texture out{texture.name, width, height, {}};
   out.texels.reserve(std::size_t(width) * height);

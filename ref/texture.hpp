@@ -25,9 +25,6 @@ struct Texture {
 Texture read_texture(const std::string& path, bool flip);
 Texture read_texture(const std::string& name, const std::vector<std::uint8_t>& bytes, bool flip);
 
-// Halved each way until neither side is longer than `longest`, a texel the mean of those that it covers.
-Texture scaled(Texture texture, int longest);
-
 // To other sides: a texel is the mean of what it covers.
 Texture resampled(const Texture& texture, int width, int height);
 

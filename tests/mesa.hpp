@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "ref/snap.hpp"
+#include "ref/texture.hpp"
 
 namespace halfspace::tests {
 
@@ -64,21 +65,48 @@ class Mesa {
     return result;
   }
 
-  void clear(float r, float g, float b) {
-    glClearColor(r, g, b, 1);
+  // A texture that repeats and multiplies the colours of what is drawn from now on.
+  void texture(const ref::Texture& texture, ref::TextureFilter filter) {
+    const GLint by = filter == ref::TextureFilter::kNearest ? GL_NEAREST : GL_LINEAR;
+    glEnable(GL_TEXTURE_2D);
+    glEnableClientState(GL_TEXTURE_COORD_ARRAY);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, texture.width, texture.height, 0, GL_RGB, GL_UNSIGNED_BYTE, texture.texels.data());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, by);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, by);
+    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
+    glHint(GL_PERSPECTIVE_CORRECTION_HINT, GL_NICEST);
+  }
+
+  void clear(float r, float g, float b, float a = 1) {
+    glClearColor(r, g, b, a);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   }
 
   // The finished picture, RGBA, row 0 on top. Triangles inside the frame only: Mesa clips the others in floating point.
-  const std::vector<std::uint32_t>& draw(const Arrays& arrays) {
-    glVertexPointer(3, GL_FLOAT, 0, arrays.positions.data());
-    glColorPointer(4, GL_UNSIGNED_BYTE, 0, arrays.colours.data());
-    glDrawArrays(GL_TRIANGLES, 0, GLsizei(arrays.positions.size() / 3));
+  const std::vector<std::uint32_t>& draw(const Arrays& arrays) { return draw(arrays.positions, 3, arrays.colours); }
+
+  // Of positions in homogeneous coordinates (x·w, y·w, z·w, w), and texture coordinates (u, v).
+  struct Textured {
+    std::vector<float> positions, coordinates;
+    std::vector<std::uint8_t> colours;
+  };
+  const std::vector<std::uint32_t>& draw(const Textured& textured) {
+    glTexCoordPointer(2, GL_FLOAT, 0, textured.coordinates.data());
+    return draw(textured.positions, 4, textured.colours);
+  }
+
+ private:
+  const std::vector<std::uint32_t>& draw(const std::vector<float>& positions, int components, const std::vector<std::uint8_t>& colours) {
+    glVertexPointer(components, GL_FLOAT, 0, positions.data());
+    glColorPointer(4, GL_UNSIGNED_BYTE, 0, colours.data());
+    glDrawArrays(GL_TRIANGLES, 0, GLsizei(colours.size() / 4));
     glFinish();
     return pixels_;
   }
 
- private:
   int width_, height_;
   std::vector<std::uint32_t> pixels_;
   OSMesaContext context_ = nullptr;

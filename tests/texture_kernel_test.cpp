@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Texture in the kernels: the reciprocal of a pixel, the product with a colour, and where a pixel lies among texels against its bound.
+// Texture in the kernels: the reciprocal of a pixel, the product with a colour, and where a pixel lies among texels
+// against its bound.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdio>
 
-#include "hls/texture_setup.hpp"
-#include "hls/triangle_setup.hpp"
 #include "ref/error.hpp"
 #include "ref/plane.hpp"
+#include "tests/texture_kernels.hpp"
 #include "tests/textured_configs.hpp"
+#include "vectors/format_fields.hpp"
+#include "vectors/runtime_formats.hpp"
 #include "vectors/standard_set.hpp"
 #include "vectors/texture_bounds.hpp"
-#include "vectors/texture_records.hpp"
 
 namespace halfspace::tests {
 namespace {
@@ -84,7 +85,8 @@ TEST(Product, IsRounded) {
   expect_products<8>();
 }
 
-// The pixels that a triangle covers, or some of them, with the weights of its vertices in their own order, times the area.
+// The pixels that a triangle covers, or some of them, with the weights of its vertices in their own order, times the
+// area.
 template <class Visit>
 void for_covered(const ref::SnappedTriangle& in, int width, int height, int f, Visit visit) {
   const ref::OrderedTriangle exact(in);
@@ -100,7 +102,8 @@ void for_covered(const ref::SnappedTriangle& in, int width, int height, int f, V
       bool inside = true;
       for (int i = 0; i < 3; ++i) {
         const int a = (i + 1) % 3, b = (i + 2) % 3;
-        const std::int64_t w = (exact.x[b] - exact.x[a]) * (py - exact.y[a]) - (exact.y[b] - exact.y[a]) * (px - exact.x[a]);
+        const std::int64_t w =
+            (exact.x[b] - exact.x[a]) * (py - exact.y[a]) - (exact.y[b] - exact.y[a]) * (px - exact.x[a]);
         weight[std::size_t(exact.vertex[i])] = w;
         inside = inside && w >= 0;
       }
@@ -113,89 +116,69 @@ void for_covered(const ref::SnappedTriangle& in, int width, int height, int f, V
   }
 }
 
-// The planes of a triangle; an empty one has none.
-template <class F>
-bool planes_of(const ref::SnappedTriangle& in, int k, const vectors::RawCoordinates& raw_coordinates, const Frame<F>& registers,
-               TexturePlanes<F>& out) {
-  Stream<Triangle<F>> triangle;
-  Stream<Setup<F>> setup;
-  Stream<Attributes<F>> attributes;
-  Stream<TextureCoordinates<F>> coordinates;
-  Stream<TexturePlanes<F>> planes;
-  Triangle<F> t{};
-  t.index = from_raw<typename F::Index>(k + 1);
-  for (int v = 0; v < 3; ++v) {
-    t.x[v] = from_raw<typename F::Coord>(in.x[v]);
-    t.y[v] = from_raw<typename F::Coord>(in.y[v]);
-  }
-  triangle.write(t);
-  triangle_setup(registers, triangle, setup, attributes);
-  if (attributes.empty()) return false;
-  coordinates.write(vectors::coordinates_record<F>(raw_coordinates, k + 1, false));
-  texture_setup(attributes, coordinates, planes);
-  out = planes.read();
-  return true;
-}
-
 // a − b modulo n, as near to 0 as it can be.
 double difference(double a, double b, double n) { return std::remainder(a - b, n); }
+
+std::vector<vectors::NamedFrame> frames_of(const Config& config) {
+  const ref::RasterFormat format = vectors::raster_format(configuration_of(config));
+  std::vector<vectors::NamedFrame> frames = vectors::corner_frames(format);
+  for (auto& frame : vectors::random_frames(format, 3, 8, 80)) frames.push_back(std::move(frame));
+  return frames;
+}
 
 // The place of every pixel of awkward triangles, against the exact one of the same words.
 template <class C>
 void expect_places_within_bound() {
   using F = Formats<C, Stamp1>;
   const Config config = C::config();
-  const ref::RasterFormat format = vectors::raster_format(configuration_of(config));
-  std::vector<vectors::NamedFrame> frames = vectors::corner_frames(format);
-  for (auto& frame : vectors::random_frames(format, 3, 8, 80)) frames.push_back(std::move(frame));
+  const std::vector<vectors::NamedFrame> frames = frames_of(config);
   std::uint64_t compared = 0, turned = 0, first = 0;
   double share = 0;
   for (std::size_t n = 0; n < frames.size(); ++n) {
     const ref::SnappedList& scene = frames[n].scene;
     const vectors::TextureFrame texture = vectors::awkward_coordinates(scene.triangles.size(), config, n);
-    Frame<F> registers{};
-    registers.width = from_raw<typename F::X>(scene.width);
-    registers.height = from_raw<typename F::Y>(scene.height);
+    const TextureKernels<F> kernels(scene, texture);
     for (std::size_t k = 0; k < scene.triangles.size(); ++k) {
       const ref::SnappedTriangle& in = scene.triangles[k];
       const vectors::RawCoordinates& given = texture.triangles[k];
-      TexturePlanes<F> planes{};
-      if (given.texture == 0 || !planes_of<F>(in, int(k), given, registers, planes)) continue;
       const ref::OrderedTriangle exact(in);
+      if (given.texture == 0 || exact.area == 0) continue;
       turned += exact.vertex[1] != (exact.vertex[0] + 1) % 3;
       first += in.y[0] > std::min(in.y[1], in.y[2]);
       const vectors::RawTexture& raw_texture = texture.textures[std::size_t(given.texture) - 1];
-      TextureEntry<F> entry{};
-      entry.log2_width = from_raw<typename F::Side>(raw_texture.log2_width);
-      entry.log2_height = from_raw<typename F::Side>(raw_texture.log2_height);
-      for_covered(in, scene.width, scene.height, config.subpixel_bits,
-                  [&](int x, int y, const std::array<std::int64_t, 3>& weight, double distance) {
-        const auto plane = [&](const std::array<int, 3>& values) {
-          ref::Wide sum = 0;
-          for (int v = 0; v < 3; ++v) sum += ref::Wide(weight[std::size_t(v)]) * values[std::size_t(v)];
-          return double((long double)sum / (long double)exact.area);
-        };
-        const double q = has_perspective(config) ? plane(given.q) : std::ldexp(1.0, config.coordinate_bits);
-        const TexturePosition<F> at = texture_position<F>(planes, entry, x, y);
-        for (const auto& [values, place, log2_side] :
-             {std::tuple(given.s, raw(at.u), raw_texture.log2_width), std::tuple(given.t, raw(at.v), raw_texture.log2_height)}) {
-          const double part = plane(values) / q, side = std::ldexp(1.0, log2_side), span = std::ldexp(side, given.repeats);
-          const double bound = vectors::texture_place_bound(config, span, part, q, distance) + vectors::texture_cut_bound(config);
-          const double want = part * span - (is_bilinear(config) ? 0.5 : 0);
-          // What the nearest cuts off does not matter: it is half of it to either side of the middle.
-          const double cut = is_bilinear(config) ? 0 : std::ldexp(0.5, -kWeightBits);
-          const double error = std::fabs(difference(std::ldexp(double(place), -kWeightBits) + cut, want, side)) - cut;
-          if (bound < side / 2) {
-            share = std::max(share, error / bound);
-            ++compared;
-          }
-          EXPECT_LE(error, bound) << frames[n].note << ", triangle " << k + 1 << ", pixel " << x << ", " << y;
-        }
-      });
+      for_covered(
+          in, scene.width, scene.height, config.subpixel_bits,
+          [&](int x, int y, const std::array<std::int64_t, 3>& weight, double distance) {
+            const auto plane = [&](const std::array<int, 3>& values) {
+              ref::Wide sum = 0;
+              for (int v = 0; v < 3; ++v) sum += ref::Wide(weight[std::size_t(v)]) * values[std::size_t(v)];
+              return double((long double)sum / (long double)exact.area);
+            };
+            const double q = has_perspective(config) ? plane(given.q) : std::ldexp(1.0, config.coordinate_bits);
+            const TexturePosition<F> at = kernels.position(std::uint32_t(k) + 1, x, y);
+            for (const auto& [values, place, log2_side] : {std::tuple(given.s, raw(at.u), raw_texture.log2_width),
+                                                           std::tuple(given.t, raw(at.v), raw_texture.log2_height)}) {
+              const double part = plane(values) / q, side = std::ldexp(1.0, log2_side),
+                           span = std::ldexp(side, given.repeats);
+              const double bound =
+                  vectors::texture_place_bound(config, span, part, q, distance) + vectors::texture_cut_bound(config);
+              const double want = part * span - (is_bilinear(config) ? 0.5 : 0);
+              // What the nearest cuts off does not matter: it is half of it to either side of the middle.
+              const double cut = is_bilinear(config) ? 0 : std::ldexp(0.5, -kWeightBits);
+              const double error =
+                  std::fabs(difference(std::ldexp(double(place), -kWeightBits) + cut, want, side)) - cut;
+              if (bound < side / 2) {
+                share = std::max(share, error / bound);
+                ++compared;
+              }
+              EXPECT_LE(error, bound) << frames[n].note << ", triangle " << k + 1 << ", pixel " << x << ", " << y;
+            }
+          });
       if (testing::Test::HasFailure()) return;
     }
   }
-  std::printf("%-16s %llu places, %.3f of the bound at most\n", config.name, static_cast<unsigned long long>(compared), share);
+  std::printf("%-16s %llu places, %.3f of the bound at most\n", config.name, static_cast<unsigned long long>(compared),
+              share);
   EXPECT_GT(compared, 10000u);
   EXPECT_GT(share, 0.5) << "the frames are blind, or the bound is loose";
   EXPECT_GT(turned, 100u);
@@ -207,6 +190,163 @@ TEST(TexturePlaces, AreWithinTheBound) {
   expect_places_within_bound<TexturedHigh>();
   expect_places_within_bound<TexturedFlat>();
   expect_places_within_bound<TexturedPhong>();
+}
+
+// All pixels of awkward frames, each with the triangle that covers it last.
+template <class F>
+std::vector<std::array<std::uint8_t, 4>> pictures_of(const Config& config,
+                                                     const std::vector<vectors::NamedFrame>& frames) {
+  std::vector<std::array<std::uint8_t, 4>> all;
+  for (std::size_t n = 0; n < frames.size(); ++n) {
+    const ref::SnappedList& scene = frames[n].scene;
+    std::vector<std::uint32_t> index(std::size_t(scene.width) * scene.height);
+    std::vector<std::array<std::uint8_t, 4>> lit(index.size(), {255, 255, 255, 255});
+    for (std::size_t k = 0; k < scene.triangles.size(); ++k) {
+      if (ref::OrderedTriangle(scene.triangles[k]).area == 0) continue;
+      for_covered(scene.triangles[k], scene.width, scene.height, config.subpixel_bits,
+                  [&](int x, int y, const auto&, double) {
+                    index[std::size_t(y) * scene.width + x] = std::uint32_t(k) + 1;
+                    lit[std::size_t(y) * scene.width + x][1] = std::uint8_t(37 * k);
+                  });
+    }
+    TextureKernels<F> kernels(scene, vectors::awkward_coordinates(scene.triangles.size(), config, n));
+    const auto picture = kernels.shade(index, lit);
+    all.insert(all.end(), picture.begin(), picture.end());
+  }
+  return all;
+}
+
+// Formats read at run time draw what compiled ones draw, with all stamps.
+template <class C>
+void expect_same_pictures() {
+  const Config config = C::config();
+  std::vector<vectors::NamedFrame> frames = frames_of(config);
+  frames.resize(std::min<std::size_t>(frames.size(), 12));
+  const auto want = pictures_of<Formats<C, Stamp4>>(config, frames);
+  EXPECT_EQ((pictures_of<Formats<C, Stamp1>>(config, frames)), want);
+  EXPECT_EQ((pictures_of<Formats<C, Stamp16>>(config, frames)), want);
+  RuntimeFormats<Stamp4>::activate(config, format_table(config));
+  EXPECT_EQ(pictures_of<RuntimeFormats<Stamp4>>(config, frames), want);
+}
+TEST(TextureFormats, ReadAtRunTimeDrawTheSame) {
+  expect_same_pictures<TexturedLow>();
+  expect_same_pictures<TexturedFlat>();
+  expect_same_pictures<TexturedPhong>();
+}
+
+// With the top bit of a width taken away the picture changes. A small memory is filled up to its last address.
+TEST(TextureFormats, NoWidthIsABitTooWide) {
+  using F = RuntimeFormats<Stamp1>;
+  for (Config config : {TexturedLow::config(), TexturedMiddle::config(), TexturedFlat::config()}) {
+    config.texels = 4096;
+    const auto frames = frames_of(config);
+    F::activate(config, format_table(config));
+    const auto want = pictures_of<F>(config, frames);
+    for (const vectors::FormatField& field : vectors::texture_format_fields()) {
+      if (!field.is_used(config)) continue;
+      FormatTable table = format_table(config);
+      NumberFormat& format = table.*field.format;
+      --format.width, format.integer = std::max(format.integer - 1, 0);
+      F::activate(config, table);
+      EXPECT_TRUE(pictures_of<F>(config, frames) != want)
+          << field.name << " of " << config.name << " can do with " << format.width << " bits";
+    }
+  }
+}
+
+TEST(TextureConfigurations, FilesAndHeadersAgree) {
+  for (const Config& config : {TexturedLow::config(), TexturedMiddle::config(), TexturedHigh::config(),
+                               TexturedFlat::config(), TexturedPhong::config()}) {
+    const std::string path = std::string(HALFSPACE_SOURCE "/tests/configs/") + config.name + ".toml";
+    EXPECT_EQ(vectors::configuration_toml(vectors::find_configuration(path)),
+              vectors::configuration_toml(configuration_of(config)));
+    EXPECT_TRUE(vectors::same_numbers(vectors::find_configuration(path).config(), config)) << config.name;
+    EXPECT_NE(vectors::configuration_header(configuration_of(config)).find(", TextureFilter::k"), std::string::npos);
+  }
+}
+
+TEST(TextureConfigurations, AreRefusedWithAReason) {
+  auto refusal_of = [](auto change) {
+    Config config = TexturedHigh::config();
+    change(config);
+    try {
+      configuration_of(config);
+    } catch (const ref::Error& e) {
+      return std::string(e.what());
+    }
+    return std::string("accepted");
+  };
+  const auto says = [&](auto change, const char* what) {
+    EXPECT_NE(refusal_of(change).find(what), std::string::npos) << refusal_of(change);
+  };
+  EXPECT_EQ(refusal_of([](Config&) {}), "accepted");
+  says([](Config& c) { c.coordinate_bits = 25; }, "coordinate_bits is 10 to 24");
+  says([](Config& c) { c.texels = 3000; }, "texels is a power of two");
+  says([](Config& c) { c.texels = 1 << 21; }, "texels is a power of two, 4 to 1048576");
+  says([](Config& c) { c.textures = 0; }, "textures is 1 to 256");
+  says([](Config& c) { c.coordinate_fraction = 0; }, "coordinate_fraction are 1 to 40");
+  says([](Config& c) { c.coordinate_fraction = 14; }, "planes of texture coordinates can be off");
+  says([](Config& c) { c.coordinate_fraction = 21; }, "more fraction bits than its reciprocal");
+  says([](Config& c) { c.texture = TextureFilter::kNone; }, "where texture is \"none\"");
+  says(
+      [](Config& c) {
+        const Config plain = vectors::find_configuration("high").config();
+        c = plain, c.mapping = TextureMapping::kPerspective;
+      },
+      "where texture is \"none\"");
+}
+
+// As the memory has room: powers of two, the largest halved first; a picture that fits is as it was.
+TEST(Textures, AreFittedToTheMemory) {
+  const auto texture = [](const char* name, int width, int height) {
+    return ref::Texture{name, width, height,
+                        std::vector<std::array<std::uint8_t, 3>>(std::size_t(width) * height, {9, 99, 199})};
+  };
+  ref::Scene scene;
+  scene.name = "scene";
+  scene.textures = {texture("large", 64, 64), texture("odd", 33, 17), texture("narrow", 1, 8)};
+  const Config low = TexturedLow::config(), middle = TexturedMiddle::config();
+  ref::Scene in_low = scene, in_middle = scene;
+  const auto warnings = vectors::fit_textures(in_low, low);
+  ASSERT_EQ(warnings.size(), 2u);
+  EXPECT_EQ(warnings[0],
+            "large: 64x64 texels are scaled to 32x32: configuration textured_low has 4096 texels, and sides of powers "
+            "of two");
+  EXPECT_NE(warnings[1].find("odd: 33x17 texels are scaled to 32x16"), std::string::npos);
+  EXPECT_EQ(in_low.textures[2].width, 1);
+  for (const ref::Texture& t : in_low.textures) EXPECT_EQ(t.texels, texture("", t.width, t.height).texels);
+  ASSERT_EQ(vectors::fit_textures(in_middle, middle).size(), 1u);
+  EXPECT_EQ(in_middle.textures[0].width, 64);
+  EXPECT_EQ(in_middle.textures[2].width, 2) << "a bilinear filter has two banks each way";
+  const vectors::TextureFrame frame = vectors::loaded_textures(in_middle.textures, middle);
+  for (const vectors::RawTexture& t : frame.textures) EXPECT_EQ(t.base % (1 << (t.log2_width + t.log2_height)), 0);
+  std::vector<int> seen(4096 + 512 + 16);
+  for (const vectors::RawTexel& texel : frame.texels) ++seen.at(std::size_t(texel.address));
+  EXPECT_EQ(seen, std::vector<int>(seen.size(), 1));
+  scene.textures.assign(17, texture("small", 4, 4));
+  EXPECT_THROW(vectors::fit_textures(scene, low), ref::Error);
+}
+
+TEST(Coordinates, AreQuantized) {
+  const Config config = TexturedMiddle::config();
+  const int full = (1 << 24) - 1;
+  const auto words = vectors::quantized_coordinates({{{5, -2}, {6.5, -2}, {5, 0}}}, {1, 2, 1e9}, config, "here");
+  EXPECT_EQ(words.repeats, 1);
+  EXPECT_EQ(words.q, (std::array<int, 3>{full, 1 << 23, 1}));
+  EXPECT_EQ(words.s, (std::array<int, 3>{0, 3 << 21, 0}));
+  EXPECT_EQ(words.t, (std::array<int, 3>{0, 0, 1}));
+  const auto affine =
+      vectors::quantized_coordinates({{{0, 0}, {0.5, 1}, {1, 0.25}}}, {1, 2, 3}, TexturedLow::config(), "here");
+  EXPECT_EQ(affine.repeats, 0);
+  EXPECT_EQ(affine.s, (std::array<int, 3>{0, 1 << 15, (1 << 16) - 1}));
+  EXPECT_EQ(affine.q, (std::array<int, 3>{0, 0, 0}));
+  EXPECT_EQ(vectors::quantized_coordinates({{{0, 0}, {32768, 1}, {0, 0}}}, {1, 1, 1}, config, "here").repeats, 15);
+  try {
+    vectors::quantized_coordinates({{{0, 0}, {32769, 1}, {0, 0}}}, {1, 1, 1}, config, "scene: triangle 7");
+    ADD_FAILURE();
+  } catch (const ref::Error& e) {
+    EXPECT_NE(std::string(e.what()).find("scene: triangle 7 spans 32769 repetitions"), std::string::npos);
+  }
 }
 
 }  // namespace

@@ -41,10 +41,12 @@ TEST(Texture, HasItsTexelsWhereItSays) {
 }
 
 TEST(Texture, IsScaledByMeans) {
-  const ref::Texture half = scaled(checker(4), 2);
+  const ref::Texture half = resampled(checker(4), 2, 2);
   EXPECT_EQ(half.width, 2);
   EXPECT_EQ(half.at(1, 0), (std::array<std::uint8_t, 3>{20, 4, 128}));
-  EXPECT_EQ(scaled(checker(4), 4).texels, checker(4).texels);
+  EXPECT_EQ(resampled(checker(4), 4, 4).texels, checker(4).texels);
+  const ref::Texture odd{"odd", 3, 2, {{0, 10, 100}, {30, 20, 100}, {60, 30, 100}, {0, 10, 200}, {30, 20, 200}, {60, 30, 200}}};
+  EXPECT_EQ(resampled(odd, 2, 1).texels, (std::vector<std::array<std::uint8_t, 3>>{{10, 13, 150}, {50, 27, 150}}));
 }
 
 // A floor that runs away from the viewer: each pixel's ray meets it where the texture is looked up.

@@ -27,7 +27,7 @@ struct TexturedHigh {
 };
 struct TexturedFlat {
   static constexpr Config config() {
-    return {"textured_flat", 160, 120, 500, 9, 6, 0, 6, 22, 0, 0, 4, Shading::kFlat, Architecture::kDelta, 0, 0, 0, 0, 0,
+    return {"textured_flat", 160, 120, 4000, 9, 6, 0, 6, 22, 0, 0, 4, Shading::kFlat, Architecture::kDelta, 0, 0, 0, 0, 0,
             TextureFilter::kNearest, TextureMapping::kPerspective, 16384, 5, 20, 11};
   }
 };

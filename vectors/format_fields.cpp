@@ -68,7 +68,7 @@ const std::vector<FormatField>& texture_format_fields() {
   static const std::vector<FormatField> fields = {
       {"texture", &T::texture, "0: none, 1 … textures", has_texture},
       {"repeats", &T::repeats, "e: a triangle spans 2^15 repetitions at most", has_texture},
-      {"side", &T::side, "log2 of a side, 0 … log2(texels)", has_texture},
+      {"side", &T::side, "log2 of a side, 0 … log2(texels), bilinear one less", has_texture},
       {"texel_address", &T::texel_address, "0 … texels − 1", has_texture},
       {"coordinate", &T::coordinate, "b of s, t, q", has_texture},
       {"coordinate_plane", &T::coordinate_plane, "b + g: modulo 2^b, as the error is below ½", has_texture},
@@ -78,7 +78,7 @@ const std::vector<FormatField>& texture_format_fields() {
       {"coordinate_start_gradient", &T::coordinate_start_gradient, "b + f + g", has_texture},
       {"inverse", &T::inverse, "y of reciprocal_lookup, ½ … 1", has_perspective},
       {"inverse_shift", &T::inverse_shift, "k of reciprocal_lookup, 0 … b − 1", has_perspective},
-      {"texel_place", &T::texel_place, "log2(texels) + 8: modulo a side, and the weights of a bilinear filter", has_texture},
+      {"texel_place", &T::texel_place, "of the longest side + 8: modulo a side, and the weights of a bilinear filter", has_texture},
       {"filtered", &T::filtered, "b of colour + 8: a texel, rounded once", has_texture}};
   return fields;
 }

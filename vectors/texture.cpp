@@ -33,22 +33,26 @@ int address_of(const RawTexture& texture, int i, int j, const Config& config) {
 
 std::vector<std::string> fit_textures(ref::Scene& scene, const Config& config) {
   if (int(scene.textures.size()) > config.textures) {
-    throw ref::Error(fmt::format("{}: {} textures, and configuration {} has {}: raise its textures", scene.name, scene.textures.size(),
-                                 config.name, config.textures));
+    throw ref::Error(fmt::format("{}: {} textures, and configuration {} has {}: raise its textures", scene.name,
+                                 scene.textures.size(), config.name, config.textures));
   }
   std::vector<Sides> sides;
   for (const ref::Texture& texture : scene.textures) {
-    sides.push_back({std::max(bits_for(texture.width) - 1, least_side(config)), std::max(bits_for(texture.height) - 1, least_side(config))});
+    sides.push_back({std::max(bits_for(texture.width) - 1, least_side(config)),
+                     std::max(bits_for(texture.height) - 1, least_side(config))});
   }
   const auto total = [&] {
-    return std::accumulate(sides.begin(), sides.end(), std::int64_t(0), [](std::int64_t sum, const Sides& s) { return sum + s.texels(); });
+    return std::accumulate(sides.begin(), sides.end(), std::int64_t(0),
+                           [](std::int64_t sum, const Sides& s) { return sum + s.texels(); });
   };
   while (total() > config.texels) {
-    Sides& largest = *std::max_element(sides.begin(), sides.end(), [](const Sides& a, const Sides& b) { return a.texels() < b.texels(); });
+    Sides& largest = *std::max_element(sides.begin(), sides.end(),
+                                       [](const Sides& a, const Sides& b) { return a.texels() < b.texels(); });
     const Sides half{std::max(largest.width - 1, least_side(config)), std::max(largest.height - 1, least_side(config))};
     if (half.texels() == largest.texels()) {
-      throw ref::Error(fmt::format("{}: {} textures have no room in the {} texels of configuration {}: raise its texels", scene.name,
-                                   scene.textures.size(), config.texels, config.name));
+      throw ref::Error(
+          fmt::format("{}: {} textures have no room in the {} texels of configuration {}: raise its texels", scene.name,
+                      scene.textures.size(), config.texels, config.name));
     }
     largest = half;
   }
@@ -58,16 +62,17 @@ std::vector<std::string> fit_textures(ref::Scene& scene, const Config& config) {
     const int width = 1 << sides[n].width, height = 1 << sides[n].height;
     if (width == texture.width && height == texture.height) continue;
     if (width < texture.width || height < texture.height) {
-      warnings.push_back(fmt::format("{}: {}x{} texels are scaled to {}x{}: configuration {} has {} texels, and sides of powers of two",
-                                     texture.name, texture.width, texture.height, width, height, config.name, config.texels));
+      warnings.push_back(fmt::format(
+          "{}: {}x{} texels are scaled to {}x{}: configuration {} has {} texels, and sides of powers of two",
+          texture.name, texture.width, texture.height, width, height, config.name, config.texels));
     }
     texture = ref::resampled(texture, width, height);
   }
   return warnings;
 }
 
-RawCoordinates quantized_coordinates(const std::array<glm::dvec2, 3>& uv, const std::array<double, 3>& w, const Config& config,
-                                     const std::string& where) {
+RawCoordinates quantized_coordinates(const std::array<glm::dvec2, 3>& uv, const std::array<double, 3>& w,
+                                     const Config& config, const std::string& where) {
   RawCoordinates out;
   glm::dvec2 least(uv[0]), most(uv[0]);
   for (int v = 1; v < 3; ++v) least = glm::min(least, uv[v]), most = glm::max(most, uv[v]);
@@ -75,14 +80,17 @@ RawCoordinates quantized_coordinates(const std::array<glm::dvec2, 3>& uv, const 
   const double span = std::max(most.x - whole.x, most.y - whole.y);
   const int repeats = (1 << kRepeatBits) - 1;
   if (!(span <= std::ldexp(1.0, repeats))) {
-    throw ref::Error(fmt::format("{} spans {:.0f} repetitions of its texture, and at most {} can be: divide the triangle, or its "
-                                 "texture coordinates", where, span, 1 << repeats));
+    throw ref::Error(
+        fmt::format("{} spans {:.0f} repetitions of its texture, and at most {} can be: divide the triangle, or its "
+                    "texture coordinates",
+                    where, span, 1 << repeats));
   }
   while (span > std::ldexp(1.0, out.repeats)) ++out.repeats;
   const double full = std::ldexp(1.0, config.coordinate_bits) - 1;
   const double nearest = *std::min_element(w.begin(), w.end());
   for (int v = 0; v < 3; ++v) {
-    const glm::dvec2 part = glm::dvec2(std::ldexp(uv[v].x - whole.x, -out.repeats), std::ldexp(uv[v].y - whole.y, -out.repeats));
+    const glm::dvec2 part =
+        glm::dvec2(std::ldexp(uv[v].x - whole.x, -out.repeats), std::ldexp(uv[v].y - whole.y, -out.repeats));
     double scale = full + 1;
     if (has_perspective(config)) scale = out.q[v] = int(std::max(std::floor(full * nearest / w[v] + 0.5), 1.0));
     out.s[v] = int(std::min(std::floor(part.x * scale + 0.5), full));

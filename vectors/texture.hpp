@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frames of texture: what the kernels take beside a snapped list, the coordinates of each triangle and the texture memory.
+// Frames of texture: what the kernels take beside a snapped list, the coordinates of each triangle and the texture
+// memory.
 #ifndef HALFSPACE_VECTORS_TEXTURE_HPP_
 #define HALFSPACE_VECTORS_TEXTURE_HPP_
 
@@ -34,22 +35,24 @@ struct TextureFrame {
   std::vector<RawCoordinates> triangles;
 };
 
-// Textures as a configuration can hold them: sides of powers of two, and halved, the largest first, until all have room. The
-// reference then shows what the kernels do. Returns a sentence for each that lost texels. Throws ref::Error where there are too many.
+// Textures as a configuration can hold them: sides of powers of two, and halved, the largest first, until all have
+// room. The reference then shows what the kernels do. Returns a sentence for each that lost texels. Throws ref::Error
+// where there are too many.
 std::vector<std::string> fit_textures(ref::Scene& scene, const Config& config);
 
-// From coordinates and the w of the vertices. Throws ref::Error, beginning with `where`, if they span too many repetitions.
-RawCoordinates quantized_coordinates(const std::array<glm::dvec2, 3>& uv, const std::array<double, 3>& w, const Config& config,
-                                     const std::string& where);
+// From coordinates and the w of the vertices. Throws ref::Error, beginning with `where`, if they span too many
+// repetitions.
+RawCoordinates quantized_coordinates(const std::array<glm::dvec2, 3>& uv, const std::array<double, 3>& w,
+                                     const Config& config, const std::string& where);
 
 // What loads the memory and the table, of textures that fit_textures has seen.
 TextureFrame loaded_textures(const std::vector<ref::Texture>& textures, const Config& config);
 // And the triangles of a geometry.
 TextureFrame texture_frame(const ref::Geometry& geometry, const Config& config);
 
-// For `triangles` triangles, from `seed`: small textures and large ones, longer one way and the other, of noise; and coordinates of
-// all kinds in turn: any, ones at either end of the range, ones that hardly differ, w that differ by as much as can be, many
-// repetitions, and none of a texture.
+// For `triangles` triangles, from `seed`: small textures and large ones, longer one way and the other, of noise; and
+// coordinates of all kinds in turn: any, ones at either end of the range, ones that hardly differ, w that differ by as
+// much as can be, many repetitions, and none of a texture.
 TextureFrame awkward_coordinates(std::size_t triangles, const Config& config, std::uint64_t seed);
 
 // Layouts of texture, texel, texture_coordinates and texture_planes.

@@ -9,17 +9,18 @@ namespace {
 
 constexpr int kMostLoaded = 1 << 12;  // texels: the words of a frame are loaded before it
 
-// Halves of what is left, and as many small ones as there may be; squares, and as long one way and the other as can be.
+// One that fills the memory; or a half, a quarter, and as many small ones in the rest as there may be. Squares, and as
+// long one way and the other as can be.
 std::vector<RawTexture> awkward_textures(const Config& config, std::mt19937_64& random) {
   const int least = is_bilinear(config) ? 1 : 0, region = std::min(config.texels, kMostLoaded);
   // Of a large memory, a part.
   int base = region * int(random() % std::uint64_t(config.texels / region));
   std::vector<RawTexture> textures;
   const bool one = random() % 4 == 0;
-  int left = exact_log2(region);
-  const int smallest = std::max(2 * least, left - bits_for(config.textures));
+  const int left = exact_log2(region);
+  const int small = config.textures < 4 ? left - 2 : left - 2 - bits_for(config.textures - 3);
   for (int n = 0; n < config.textures; ++n) {
-    const int size = one ? left : std::max(left - 1 - n, smallest);
+    const int size = one ? left : std::max(n < 2 ? left - 1 - n : small, 2 * least);
     RawTexture& texture = textures.emplace_back();
     const std::uint64_t kind = random() % 3;
     texture.log2_width = kind == 0 ? size / 2 : kind == 1 ? size - least : least;
@@ -43,7 +44,8 @@ TextureFrame awkward_coordinates(std::size_t triangles, const Config& config, st
     for (int n = 0; n < 1 << (texture.log2_width + texture.log2_height); ++n) {
       RawTexel& texel = frame.texels.emplace_back();
       texel.address = texture.base + n;
-      for (auto& channel : texel.rgb) channel = std::uint8_t(random() % 4 == 0 ? below(2) * (colours - 1) : below(colours));
+      for (auto& channel : texel.rgb)
+        channel = std::uint8_t(random() % 4 == 0 ? below(2) * (colours - 1) : below(colours));
     }
   }
   const int full = (1 << config.coordinate_bits) - 1;

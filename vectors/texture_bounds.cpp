@@ -8,7 +8,8 @@ namespace halfspace::vectors {
 
 double coordinate_plane_bound(const Config& config, double distance) {
   // The start of a plane loses what lies below 2^−g.
-  return std::ldexp(1.0, config.coordinate_bits - config.reciprocal_bits) + std::ldexp(distance / 2 + 1, -config.coordinate_fraction);
+  return std::ldexp(1.0, config.coordinate_bits - config.reciprocal_bits) +
+         std::ldexp(distance / 2 + 1, -config.coordinate_fraction);
 }
 
 double texture_place_bound(const Config& config, double span, double part, double q, double distance) {

@@ -13,12 +13,12 @@ constexpr double kInverseError = 1.0 / (1 << 18);
 // Of a plane of s, t or q, in units, before rounding: `distance` is |dx| + |dy| from vertex 0, in pixels.
 double coordinate_plane_bound(const Config& config, double distance);
 
-// What the kernels add to the exact place S/Q of the words of a triangle, where 2^e repetitions are `span` texels; `part` is S/Q, 0 … 1,
-// and `q` is Q: as exact planes have them. Affine: Q is 2^b. Before the place is cut to 8 bits.
+// What the kernels add to the exact place S/Q of the words of a triangle, where 2^e repetitions are `span` texels;
+// `part` is S/Q, 0 … 1, and `q` is Q: as exact planes have them. Affine: Q is 2^b. Before the place is cut to 8 bits.
 double texture_place_bound(const Config& config, double span, double part, double q, double distance);
 
-// What the words of the vertices are off themselves: `spread` is the largest distance of a vertex's u′/2^e from that of the pixel,
-// `least` the least of the three q.
+// What the words of the vertices are off themselves: `spread` is the largest distance of a vertex's u′/2^e from that of
+// the pixel, `least` the least of the three q.
 double texture_vertex_bound(const Config& config, double span, double spread, double q, double least);
 
 // What cutting to 8 bits adds, to either side: 2^−9 where there are weights, none for the nearest.

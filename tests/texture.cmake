@@ -1,5 +1,8 @@
-# Configurations with texture (textured_configs.hpp, configs/textured_*.toml): the tops, the units of the RTL against the kernels, lint,
-# faults, and what Yosys finds. The pipeline with texture: matrix.cmake.
+# Texture: the tops in configurations with each filter and each mapping.
+foreach(config IN ITEMS TexturedLow TexturedMiddle TexturedFlat TexturedPhong)
+  halfspace_tops_test(texture_tops_test_${config} texture_tops_test.cpp ${config} textured_configs.hpp
+                      ${PROJECT_SOURCE_DIR}/hls/top/texture_setup_top.cpp ${PROJECT_SOURCE_DIR}/hls/top/shade_texture_top.cpp)
+endforeach()
 foreach(pair IN ITEMS textured_low-4 textured_middle-4 textured_phong-1 textured_flat-16)
   string(REPLACE "-" ";" pair ${pair})
   list(GET pair 0 name)
