@@ -10,6 +10,7 @@
 #include "ref/architecture.hpp"
 #include "vectors/accuracy.hpp"
 #include "vectors/configuration.hpp"
+#include "vectors/memories.hpp"
 
 namespace halfspace::cli {
 
@@ -32,8 +33,12 @@ void write_json(const std::string& path, const Json& json);
 Json to_json(const vectors::Accuracy& accuracy);
 // All numbers; those of what is not there are 0.
 Json to_json(const Config& config);
-// Those that are counted at streams.
+// Those that are counted at streams; all of them, which the reference knows.
 Json to_json(const ref::Rates& rates);
+Json all_rates(const ref::Rates& rates);
+// Accesses and bytes of the buffers that there are; with those of whole words, if they are given.
+Json to_json(const ref::BufferUses& needed, const vectors::BufferBits& bits, const ref::BufferUses* words = nullptr);
+Json to_json(const vectors::MemoryBits& bits);
 // "∞" for an infinite ratio.
 std::string decibels(double psnr);
 

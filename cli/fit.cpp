@@ -78,9 +78,10 @@ std::vector<std::string> left_out(const Config& c, const vectors::Requirements& 
   return lines;
 }
 
-Json memory_json(const vectors::MemoryBits& m) {
-  return {{"index_buffer", m.index}, {"depth_buffer", m.depth}, {"shading_database", m.shading},
-          {"visibility_database", m.visibility}, {"total", m.total()}};
+Json to_json(const vectors::FitArchitecture& a) {
+  if (a.why.empty()) return nullptr;
+  return {{"z_buffer_bits", a.z_buffer_bits}, {"tdbv_bits", a.tdbv_bits}, {"cycles_delta", a.cycles_delta},
+          {"cycles_gamma", a.cycles_gamma}, {"why", a.why}};
 }
 
 void print_numbers(const Fit& fit, const Configuration& high) {
@@ -89,9 +90,9 @@ void print_numbers(const Fit& fit, const Configuration& high) {
   for (const auto& field : vectors::config_fields()) fmt::print("{:<18} {:>9} {:>9}\n", field.name, c.*field.value, h.*field.value);
   fmt::print("\none bit less:\n");
   for (const auto& less : fit.less) fmt::print("  {:<26} {}\n", less.change, less.result);
-  const auto mine = vectors::memory_bits(fit.configuration), theirs = vectors::memory_bits(high);
-  fmt::print("\nframe memories: {:.2f} Mbit (I-buffer {:.2f}, Z-buffer {:.2f}, TdbS {:.2f}), {} has {:.2f} Mbit: {:.1f} % saved\n",
-             mine.total() / 1e6, mine.index / 1e6, mine.depth / 1e6, mine.shading / 1e6, high.name(), theirs.total() / 1e6,
+  const auto mine = vectors::memory_bits(c), theirs = vectors::memory_bits(h);
+  fmt::print("\nframe memories: {:.2f} Mbit (I-buffer {:.2f}, Z-buffer {:.2f}, TdbS {:.2f}, TdbV {:.2f}), {} has {:.2f} Mbit: {:.1f} % saved\n",
+             mine.total() / 1e6, mine.index / 1e6, mine.depth / 1e6, mine.shading / 1e6, mine.visibility / 1e6, high.name(), theirs.total() / 1e6,
              100 - 100.0 * mine.total() / theirs.total());
 }
 
@@ -161,6 +162,9 @@ void fit(const Options& options) {
   fmt::print("left out: {}\n", gone.empty() ? "nothing, every unit is needed" : "");
   for (const std::string& line : gone) fmt::print("  {}\n", line);
   const Configuration high = vectors::find_configuration("high");
+  if (!found.architecture.why.empty()) {
+    fmt::print("type {}: {}\n", vectors::architecture_name(found.configuration.config().architecture), found.architecture.why);
+  }
   print_numbers(found, high);
   const std::string work = options.work.empty() ? "fit_" + name : options.work;
   const Json area = compare_area(found, high, targets, work);
@@ -178,9 +182,10 @@ void fit(const Options& options) {
                             {"tried", found.tried},
                             {"configuration", to_json(found.configuration.config())},
                             {"left_out", gone},
+                            {"architecture", to_json(found.architecture)},
                             {"one_bit_less", less},
-                            {"memory_bits", memory_json(vectors::memory_bits(found.configuration))},
-                            {"memory_bits_of_high", memory_json(vectors::memory_bits(high))},
+                            {"memory_bits", to_json(vectors::memory_bits(found.configuration.config()))},
+                            {"memory_bits_of_high", to_json(vectors::memory_bits(high.config()))},
                             {"area", area},
                             {"proof", proof}});
 }

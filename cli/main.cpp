@@ -57,6 +57,36 @@ Json to_json(const ref::Rates& rates) {
           {"visible_pixels", rates.visible_pixels}};
 }
 
+Json all_rates(const ref::Rates& rates) {
+  Json json = to_json(rates);
+  json.update({{"runs", rates.runs}, {"lightings", rates.lightings}, {"texture_fetches", rates.texture_fetches},
+               {"largest_index", rates.largest_index}});
+  return json;
+}
+
+Json to_json(const ref::BufferUses& needed, const vectors::BufferBits& bits, const ref::BufferUses* words) {
+  Json json = Json::object();
+  for (const vectors::NamedBuffer& buffer : vectors::kBuffers) {
+    const int entry = bits.*buffer.bits;
+    if (entry == 0) continue;
+    const ref::BufferUse& use = needed.*buffer.use;
+    Json& of = json[buffer.name] = {{"entry_bits", entry},
+                                    {"read", use.read},
+                                    {"written", use.written},
+                                    {"bytes_read", vectors::bytes_of(use.read, entry)},
+                                    {"bytes_written", vectors::bytes_of(use.written, entry)}};
+    if (words == nullptr) continue;
+    of["word_bytes_read"] = vectors::bytes_of((words->*buffer.use).read, entry);
+    of["word_bytes_written"] = vectors::bytes_of((words->*buffer.use).written, entry);
+  }
+  return json;
+}
+
+Json to_json(const vectors::MemoryBits& m) {
+  return {{"index_buffer", m.index}, {"depth_buffer", m.depth}, {"shading_database", m.shading},
+          {"visibility_database", m.visibility}, {"total", m.total()}};
+}
+
 }  // namespace halfspace::cli
 
 int main(int argc, char** argv) {

@@ -14,6 +14,8 @@
 #include "ref/architecture.hpp"
 #include "ref/error.hpp"
 #include "ref/triangle_list.hpp"
+#include "vectors/accesses.hpp"
+#include "vectors/cycles.hpp"
 #include "vectors/dump.hpp"
 #include "vectors/engine.hpp"
 #include "vectors/rates.hpp"
@@ -21,10 +23,12 @@
 namespace halfspace::cli {
 namespace {
 
+using cli::to_json;  // beside the one of cycles
+
 struct Options {
   SceneInput input;
   std::string engine = "hls";
-  int lanes = 16;
+  int lanes = 0;
   std::string architecture, shading, texture, mapping = "perspective";
   std::string output, dump, json;
 };
@@ -46,8 +50,36 @@ Kind kind_of(const Kind (&kinds)[N], const std::string& name) {
   return *std::find_if(std::begin(kinds), std::end(kinds), [&](Kind kind) { return ref::name_of(kind) == name; });
 }
 
-// The reference by one of the four architectures; the rates go to `rates`.
-ref::Frame draw_by(const Options& options, const LoadedScene& loaded, Json& rates) {
+// What a frame took.
+struct Counts {
+  Json rates, buffers;
+};
+
+Json to_json(const vectors::Cycles& c) {
+  return {{"frame", c.frame},   {"triangle_setup", c.triangle_setup}, {"shade_setup", c.shade_setup}, {"raster", c.raster},
+          {"test", c.test},     {"scan_out", c.scan_out}};
+}
+
+// The circuit of the kernels, if its lanes are named; else the paper's.
+ref::Circuit circuit_of(const vectors::Configuration& configuration, int lanes) {
+  if (lanes == 0) return {};
+  const auto engine = vectors::make_engine(configuration, lanes);
+  return {engine->lanes_x(), engine->lanes_y(), !is_deferred(configuration.config())};
+}
+
+// Of an entry of each buffer. A wide pixel of beta is a copy of the planes.
+vectors::BufferBits bits_of(ref::Architecture architecture, Config config) {
+  const bool indexed = is_index_rendering(architecture);
+  config.architecture = architecture == ref::Architecture::kGamma ? Architecture::kGamma : Architecture::kDelta;
+  vectors::BufferBits bits = vectors::entry_bits(config);
+  if (architecture == ref::Architecture::kAlpha) bits.frame = 3 * config.colour_bits;
+  if (architecture == ref::Architecture::kBeta) bits.pixel = bits.shading;
+  if (!indexed) bits.index = bits.shading = 0;
+  return bits;
+}
+
+// The reference by one of the four architectures.
+ref::Frame draw_by(const Options& options, const LoadedScene& loaded, Counts& counts) {
   const ref::SnappedList& list = loaded.list;
   const ref::Architecture architecture = kind_of(ref::kArchitectures, options.architecture.empty() ? "delta" : options.architecture);
   std::optional<ref::Scene> scene;
@@ -67,10 +99,12 @@ ref::Frame draw_by(const Options& options, const LoadedScene& loaded, Json& rate
       surface = ref::textured_surface(std::move(surface), *geometry, list, mode);
     }
   }
-  ref::Drawing drawing = ref::draw(list, *surface, architecture);
-  rates = to_json(drawing.rates);
-  rates["lightings"] = drawing.rates.lightings;
-  rates["texture_fetches"] = drawing.rates.texture_fetches;
+  const Config config = loaded.configuration.config();
+  ref::Drawing drawing = ref::draw(list, *surface, architecture, true, {}, circuit_of(loaded.configuration, options.lanes));
+  counts.rates = all_rates(drawing.rates);
+  if (options.shading.empty() || options.shading == vectors::shading_name(config.shading)) {
+    counts.buffers = to_json(drawing.buffers, bits_of(architecture, config));
+  }
   fmt::print("{}: {} fragments, {} passed the Z-test; {} lightings, {} texels\n", name_of(architecture), drawing.rates.fragments,
              drawing.rates.reduced_fragments, drawing.rates.lightings, drawing.rates.texture_fetches);
   ref::Frame frame{list.width, list.height, std::move(drawing.triangle), std::move(drawing.depth), std::move(drawing.colour), {}, {}, {}};
@@ -88,7 +122,8 @@ ref::Frame render_with(const std::string& engine, const LoadedScene& loaded, int
 void render(const Options& options) {
   LoadedScene loaded = load_snapped(options.input);
   const ref::SnappedList& scene = loaded.list;
-  Json rates;
+  const int lanes = options.lanes ? options.lanes : 16;
+  Counts counts;
   const bool chosen = !options.architecture.empty() || !options.shading.empty() || !options.texture.empty();
   if (chosen && options.engine == "hls") {
     if (options.architecture != "gamma" && options.architecture != "delta") {
@@ -102,11 +137,18 @@ void render(const Options& options) {
     numbers.architecture = options.architecture == "gamma" ? Architecture::kGamma : Architecture::kDelta;
     loaded.configuration = vectors::Configuration(loaded.configuration.name(), numbers);
   }
+  Json memories, cycles;
   if (options.engine == "hls" && !options.json.empty()) {
-    rates = to_json(vectors::count_rates(*kernels_of(loaded, options.lanes), scene));
+    const Config config = loaded.configuration.config();
+    const auto engine = kernels_of(loaded, lanes);
+    counts.rates = to_json(vectors::count_rates(*engine, scene));
+    const vectors::Accesses accesses = vectors::count_accesses(config, *engine, scene);
+    counts.buffers = to_json(accesses.needed, vectors::entry_bits(config), &accesses.words);
+    memories = to_json(vectors::memory_bits(config, engine->lanes_x(), engine->lanes_y()));
+    // The model knows no pipeline that waits for normals.
+    if (!is_deferred(config)) cycles = to_json(vectors::model_cycles(config, *engine, scene, engine->render(scene)));
   }
-  const ref::Frame frame = chosen && options.engine == "ref" ? draw_by(options, loaded, rates)
-                                                              : render_with(options.engine, loaded, options.lanes);
+  const ref::Frame frame = chosen && options.engine == "ref" ? draw_by(options, loaded, counts) : render_with(options.engine, loaded, lanes);
   if (!options.output.empty()) write_picture(options.output, colour_picture(frame));
   if (!options.dump.empty()) vectors::write_dump(options.dump, scene, frame);
 
@@ -128,7 +170,11 @@ void render(const Options& options) {
                             {"reduced_triangles", reduced},
                             {"visible_triangles", in_view},
                             {"covered_pixels", covered},
-                            {"rates", rates}});  // with --architecture, or of the kernels
+                            // With --architecture, or of the kernels.
+                            {"rates", counts.rates},
+                            {"buffers", counts.buffers},
+                            {"memory_bits", memories},
+                            {"modelled_cycles", cycles}});
 }
 
 }  // namespace
@@ -140,8 +186,7 @@ void add_render(CLI::App& app, int&) {
   command->add_option("--engine", options->engine, "ref: floating-point reference; hls: fixed-point kernels; ideal: no position snapped (index: faces of the scene)")
       ->check(CLI::IsMember({"ref", "hls", "ideal"}))
       ->capture_default_str();
-  command->add_option("--lanes", options->lanes, "pixels a stamp, for hls: 1, 2, 4, 8, 16 (the picture is the same)")
-      ->capture_default_str();
+  command->add_option("--lanes", options->lanes, "pixels a stamp: 1, 2, 4, 8, 16 (the picture is the same); default for hls: 16; for ref with --architecture: pixel by pixel");
   command->add_option("--architecture", options->architecture,
                       "alpha, traditional; beta, deferred shading; gamma, delta, index rendering without and with a Z-buffer")
       ->check(CLI::IsMember({"alpha", "beta", "gamma", "delta"}));

@@ -35,13 +35,7 @@ double percent(double part, double whole) { return whole == 0 ? 100 : 100 * part
 
 Json bytes_json(const vectors::BufferBytes& b) {
   return {{"depth_buffer", b.depth}, {"frame_buffer", b.frame}, {"pixel_buffer", b.pixel}, {"index_buffer", b.index},
-          {"tdbv", b.visibility},    {"tdbs", b.shading},       {"total", b.total()}};
-}
-
-Json rates_json(const ref::Rates& r) {
-  Json json = to_json(r);
-  json.update({{"runs", r.runs}, {"lightings", r.lightings}, {"texture_fetches", r.texture_fetches}, {"largest_index", r.largest_index}});
-  return json;
+          {"visibility_database", b.visibility}, {"shading_database", b.shading}, {"total", b.total()}};
 }
 
 // --- paper A ---
@@ -86,7 +80,7 @@ Json print_lightings(const std::vector<Measured>& all) {
     fmt::print("{:<12} {:>9} {:<8} {:>10} {:>7.1f}% {:>7.1f}% {:>11.1f}%\n", short_name(m.scene), size_name(m.width, m.height),
                name_of(m.mode), m.rates[0].rates.lightings, share[1], share[2], share[3]);
     Json row = {{"scene", m.scene}, {"level", m.level->config}, {"width", m.width}, {"height", m.height}, {"shading", name_of(m.mode)}};
-    for (std::size_t n = 0; n < 4; ++n) row[name_of(ref::kArchitectures[n])] = rates_json(m.rates[n].rates);
+    for (std::size_t n = 0; n < 4; ++n) row[name_of(ref::kArchitectures[n])] = all_rates(m.rates[n].rates);
     rows.push_back(std::move(row));
   }
   return rows;
@@ -133,7 +127,8 @@ Json print_bandwidth(const std::string& what, const HardwareLevel& level, int wi
     const auto bytes = vectors::buffer_traffic(uses[n], bits);
     rate[n] = bytes.total() * level.frames / 1e6;
     if (ref::kArchitectures[n] == Architecture::kGamma) tdbv = bytes.visibility * level.frames / 1e6;
-    row[name_of(ref::kArchitectures[n])] = bytes_json(bytes);
+    Json& of = row[name_of(ref::kArchitectures[n])] = bytes_json(bytes);
+    of["accesses"] = to_json(uses[n], bits);
   }
   fmt::print("{:<12} {:<7} {:>9} {:<8} {:>8.1f} {:>8.1f} {:>8.1f} {:>8.1f} {:>8.1f}   {:+.0f} %, {:+.0f} %\n", what, level.config,
              size_name(width, height), name_of(mode), rate[0], rate[1], rate[2], rate[2] - tdbv, rate[3],

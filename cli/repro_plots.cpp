@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kBuffers[][3] = {{"frame_buffer", "frame buffer", "#9aa5ad"}, {"depth_buffer", "Z-buffer", "#4d6a8a"},
                                        {"pixel_buffer", "wide pixel buffer", "#c0392b"}, {"index_buffer", "I-buffer", "#2a9d5c"},
-                                       {"tdbs", "TdbS", "#e9a13b"}, {"tdbv", "TdbV", "#8a4fa8"}};
+                                       {"shading_database", "TdbS", "#e9a13b"}, {"visibility_database", "TdbV", "#8a4fa8"}};
 
 std::string header(const std::string& picture, int width, int height, const std::string& title) {
   return fmt::format(

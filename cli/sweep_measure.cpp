@@ -22,6 +22,9 @@ namespace fs = std::filesystem;
 double share(std::uint64_t part, std::uint64_t whole) { return whole ? double(part) / double(whole) : 0; }
 
 Json picture_result(const vectors::Trade& t, const Config& config) {
+  using vectors::bytes_of;
+  const ref::BufferUses& moved = t.accesses.words;
+  const vectors::BufferBits bits = vectors::entry_bits(config);
   const double full = has_depth(config) ? std::ldexp(1, config.depth_bits) - 1 : 1;
   const auto finite = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
   return {{"triangles_drawn", t.triangles},
@@ -46,13 +49,13 @@ Json picture_result(const vectors::Trade& t, const Config& config) {
           {"cycles_shade_setup", t.cycles.shade_setup},
           {"cycles_raster", t.cycles.raster},
           {"cycles_scan_out", t.cycles.scan_out},
-          {"bytes_index_read", t.traffic.index_read},
-          {"bytes_index_written", t.traffic.index_written},
-          {"bytes_depth_read", t.traffic.depth_read},
-          {"bytes_depth_written", t.traffic.depth_written},
-          {"bytes_planes_read", t.traffic.planes_read},
-          {"bytes_planes_written", t.traffic.planes_written},
-          {"bytes", t.traffic.total()},
+          {"bytes_index_read", bytes_of(moved.index.read, bits.index)},
+          {"bytes_index_written", bytes_of(moved.index.written, bits.index)},
+          {"bytes_depth_read", bytes_of(moved.depth.read, bits.depth)},
+          {"bytes_depth_written", bytes_of(moved.depth.written, bits.depth)},
+          {"bytes_planes_read", bytes_of(moved.shading.read, bits.shading)},
+          {"bytes_planes_written", bytes_of(moved.shading.written, bits.shading)},
+          {"bytes", vectors::total_bytes(moved, bits)},
           {"kernels_compiled", t.compiled},
           {"native_ms", t.native_ms}};
 }

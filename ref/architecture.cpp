@@ -1,19 +1,39 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ref/architecture.hpp"
 
+#include <algorithm>
+
 #include "ref/index_pool.hpp"
 #include "ref/spans.hpp"
 
 namespace halfspace::ref {
 namespace {
 
+// The different entries of a database in the pixels of each stamp.
+class Fetches {
+ public:
+  void add(std::size_t stamp, std::uint32_t entry) { fetches_.emplace_back(stamp, entry); }
+  // How many they are; from now on there are none.
+  std::uint64_t take() {
+    std::sort(fetches_.begin(), fetches_.end());
+    const std::uint64_t count = std::unique(fetches_.begin(), fetches_.end()) - fetches_.begin();
+    fetches_.clear();
+    return count;
+  }
+
+ private:
+  std::vector<std::pair<std::size_t, std::uint32_t>> fetches_;
+};
+
 class Renderer {
  public:
-  Renderer(const SnappedList& list, Surface& surface, Architecture architecture, bool deferred_lighting, const IndexReuse& reuse)
+  Renderer(const SnappedList& list, Surface& surface, Architecture architecture, bool deferred_lighting, const IndexReuse& reuse,
+           const Circuit& circuit)
       : list_(list),
         surface_(surface),
         architecture_(architecture),
         deferred_lighting_(deferred_lighting && is_index_rendering(architecture)),
+        circuit_(circuit),
         spans_(list.width, list.height, list.format.subpixel_bits),
         pool_(reuse),
         pixels_(std::size_t(list.width) * list.height),
@@ -78,10 +98,11 @@ class Renderer {
     if (visible) {
       ++out_.rates.reduced_triangles;
       if (deferred_lighting_) out_.rates.lightings += std::uint64_t(surface_.light(k));
-      if (is_index_rendering(architecture_)) {
-        ++out_.buffers.shading.written;
-        if (has_depth_ && architecture_ == Architecture::kGamma) ++out_.buffers.visibility.written;
-      }
+      if (has_depth_ && architecture_ == Architecture::kGamma) ++out_.buffers.visibility.written;
+    }
+    if (is_index_rendering(architecture_)) {
+      out_.buffers.shading.written += circuit_.stores_invisible ? spans_.has_box(t) : visible;
+      out_.buffers.visibility.read += fetched_.take();
     }
     if (is_index_rendering(architecture_)) pool_.done(index, visible);
   }
@@ -110,7 +131,8 @@ class Renderer {
       return depth < out_.depth[at];
     }
     if (index_[at] == 0) return depth < full_depth(list_.format.depth_bits);
-    ++use.visibility.read;
+    if (circuit_.lanes_x == 0) ++use.visibility.read;
+    else fetched_.add(stamp_of(at), index_[at]);
     const SnappedTriangle& stored = list_.triangles[database_[index_[at] - 1] - 1];
     const OrderedTriangle t(stored);
     return depth < rounded(Plane(t, {stored.depth[0], stored.depth[1], stored.depth[2]}), at);
@@ -132,6 +154,10 @@ class Renderer {
     }
   }
 
+  std::size_t stamp_of(std::size_t at) const {
+    return at / list_.width / circuit_.lanes_y * list_.width + at % list_.width / circuit_.lanes_x;
+  }
+
   void shade(std::uint32_t k, std::size_t at) {
     out_.colour[at] = surface_.colour(k, int(at % list_.width), int(at / list_.width), out_.rates.lightings, out_.rates.texture_fetches);
   }
@@ -146,13 +172,14 @@ class Renderer {
       out_.rates.visible_pixels += k != 0;
       out_.rates.runs += k != 0 && k != before;
       before = k;
+      if (k != 0 && circuit_.lanes_x != 0) fetched_.add(stamp_of(at), k);
       if (k != 0 && architecture_ != Architecture::kAlpha) shade(k, at);
     }
     if (architecture_ == Architecture::kAlpha) use.frame.read += pixels_;
     if (architecture_ == Architecture::kBeta) use.pixel.read += pixels_;
     if (is_index_rendering(architecture_)) {
       use.index.read += pixels_;
-      use.shading.read += out_.rates.runs;
+      use.shading.read += circuit_.lanes_x == 0 ? out_.rates.runs : fetched_.take();
     }
   }
 
@@ -160,12 +187,14 @@ class Renderer {
   Surface& surface_;
   const Architecture architecture_;
   const bool deferred_lighting_;
+  const Circuit circuit_;
   const Spans spans_;
   IndexPool pool_;
   const std::size_t pixels_;
   const bool has_depth_;
   std::vector<std::uint32_t> index_;     // I-buffer
   std::vector<std::uint32_t> database_;  // triangle of index i at [i - 1]
+  Fetches fetched_;                      // of a triangle; at scan-out, of the frame
   Drawing out_;
 };
 
@@ -176,8 +205,9 @@ const char* name_of(Architecture architecture) {
   return kNames[int(architecture)];
 }
 
-Drawing draw(const SnappedList& list, Surface& surface, Architecture architecture, bool deferred_lighting, const IndexReuse& reuse) {
-  return Renderer(list, surface, architecture, deferred_lighting, reuse).run();
+Drawing draw(const SnappedList& list, Surface& surface, Architecture architecture, bool deferred_lighting, const IndexReuse& reuse,
+             const Circuit& circuit) {
+  return Renderer(list, surface, architecture, deferred_lighting, reuse, circuit).run();
 }
 
 }  // namespace halfspace::ref

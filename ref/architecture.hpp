@@ -43,7 +43,14 @@ struct BufferUses {
   BufferUse pixel;       // the wide one of beta: what shading needs
   BufferUse index;       // I-buffer
   BufferUse visibility;  // TdbV
-  BufferUse shading;     // TdbS; the shader keeps the entry of the pixel before
+  BufferUse shading;     // TdbS
+};
+
+// How a circuit looks at TdbV and TdbS. Without lanes, pixel by pixel: TdbV is read for each fragment over a triangle, TdbS for each
+// run of pixels of one triangle in a row. With a stamp of lanes_x x lanes_y, each different entry is read once a stamp.
+struct Circuit {
+  int lanes_x = 0, lanes_y = 0;
+  bool stores_invisible = false;  // TdbS takes each triangle that has area and a pixel centre of the frame in its box, seen or not
 };
 
 struct Drawing {
@@ -57,7 +64,8 @@ struct Drawing {
 
 // Draws `list`, of which the surface knows the shading. With `deferred_lighting` index rendering lights visible triangles alone.
 // Throws Error when the indices are used up.
-Drawing draw(const SnappedList& list, Surface& surface, Architecture, bool deferred_lighting = true, const IndexReuse& = {});
+Drawing draw(const SnappedList& list, Surface& surface, Architecture, bool deferred_lighting = true, const IndexReuse& = {},
+             const Circuit& = {});
 
 }  // namespace halfspace::ref
 

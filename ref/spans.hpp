@@ -22,13 +22,17 @@ class Spans {
   std::int64_t one() const { return std::int64_t(1) << subpixel_bits_; }  // pixel, in units of positions
   std::int64_t centre(std::int64_t pixel) const { return pixel_centre(pixel, subpixel_bits_); }
 
+  // Whether the triangle has area, and a pixel centre of the frame in its box.
+  bool has_box(const OrderedTriangle& t) const {
+    const Span columns = box(t.x, width_), rows = box(t.y, height_);
+    return t.area != 0 && columns.first <= columns.last && rows.first <= rows.last;
+  }
+
   // visit(row, span) for each row of the triangle's box in the frame, from the top; spans may be empty.
   template <class Visit>
   void of(const OrderedTriangle& t, Visit&& visit) const {
     if (t.area == 0) return;
-    const auto [x_min, x_max] = std::minmax_element(t.x.begin(), t.x.end());
-    const auto [y_min, y_max] = std::minmax_element(t.y.begin(), t.y.end());
-    const Span columns = pixels_between(*x_min, *x_max, width_), rows = pixels_between(*y_min, *y_max, height_);
+    const Span columns = box(t.x, width_), rows = box(t.y, height_);
     for (std::int64_t row = rows.first; row <= rows.last; ++row) {
       Span span = columns;
       for (int i = 0; i < 3; ++i) {
@@ -40,10 +44,11 @@ class Spans {
   }
 
  private:
-  // The pixels of a row (column) of `size` whose centres lie in [low, high].
-  Span pixels_between(std::int64_t low, std::int64_t high, int size) const {
-    const std::int64_t first = -floor_div(centre(0) - low, one());
-    const std::int64_t last = floor_div(high - centre(0), one());
+  // The pixels of a row (column) of `size` whose centres the vertices enclose.
+  Span box(const std::array<std::int64_t, 3>& vertices, int size) const {
+    const auto [low, high] = std::minmax_element(vertices.begin(), vertices.end());
+    const std::int64_t first = -floor_div(centre(0) - *low, one());
+    const std::int64_t last = floor_div(*high - centre(0), one());
     return {std::max<std::int64_t>(first, 0), std::min<std::int64_t>(last, size - 1)};
   }
 

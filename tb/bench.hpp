@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "accesses.hpp"
 #include "channel.hpp"
 #include "model.hpp"
 #include "options.hpp"
@@ -39,7 +40,9 @@ struct Result {
   std::uint64_t simulated = 0;
   double seconds = 0, processor_seconds = 0;
   Bound bound;
-  Rates rates;  // of the pipeline, the last frame's
+  // Of the pipeline, the last frame's.
+  Rates rates;
+  std::vector<Accesses> accesses;
 
   std::size_t words() const;
   std::size_t mismatches() const;

@@ -149,7 +149,7 @@ Result run_pipeline(Model* model, const Vectors& vectors, const Options& options
       last->pixel = Words(vectors.find("pixel")->bits);
       pixel->record_last(&last->pixel);
       for (const auto& [stream, receiver] : receivers) {
-        if (std::find(std::begin(kRateStreams), std::end(kRateStreams), stream->name) == std::end(kRateStreams)) continue;
+        if (std::find(std::begin(kCountedStreams), std::end(kCountedStreams), stream->name) == std::end(kCountedStreams)) continue;
         last->counted[stream->name] = Words(stream->bits);
         receiver->record_last(&last->counted[stream->name]);
       }
@@ -168,6 +168,8 @@ Result run_pipeline(Model* model, const Vectors& vectors, const Options& options
   const int setup_interval = options.setup_interval ? options.setup_interval : model->constant("SetupInterval");
   result.bound = bound_of(vectors, setup_interval);
   result.rates = count_rates(vectors, last->counted);
+  const auto number = [&](const char* name) { return std::uint64_t(model->constant(name)); };
+  result.accesses = count_accesses(vectors, last->counted, {number("MaxWidth"), number("MaxHeight"), number("Triangles")});
   const std::vector<std::uint64_t>& ends = pixel->end_cycles();
   if (options.frames > 1 && ends.size() == turns.size()) {
     result.cycles = ends.back() - ends[ends.size() - 2];

@@ -3,7 +3,7 @@
 
 namespace halfspace::tb {
 
-const char* const kRateStreams[4] = {"visible", "stamp", "update", "scan"};
+const char* const kCountedStreams[5] = {"visible", "stamp", "update", "scan", "planes"};
 
 namespace {
 

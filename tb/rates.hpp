@@ -17,8 +17,8 @@ struct Rates {
   std::uint64_t visible_pixels = 0;                    // that show a triangle
 };
 
-// The streams that tell them: visible, stamp, update, scan.
-extern const char* const kRateStreams[4];
+// The streams that tell them, and what is read and written.
+extern const char* const kCountedStreams[5];
 // Of the words received, by stream; one that is not there counts nothing.
 Rates count_rates(const Vectors& vectors, const std::map<std::string, Words>& received);
 

@@ -98,6 +98,19 @@ std::string json_report(const Vectors& vectors, const Options& options, const st
                       {"fragments", result.rates.fragments},
                       {"reduced_fragments", result.rates.reduced_fragments},
                       {"visible_pixels", result.rates.visible_pixels}};
+      std::uint64_t total = 0;
+      for (const Accesses& a : result.accesses) {
+        run["buffers"][a.buffer] = {{"entry_bits", a.entry_bits},
+                                    {"read", a.read},
+                                    {"written", a.written},
+                                    {"bytes_read", Accesses::bytes(a.read, a.entry_bits)},
+                                    {"bytes_written", Accesses::bytes(a.written, a.entry_bits)},
+                                    {"word_bytes_read", Accesses::bytes(a.word_read, a.entry_bits)},
+                                    {"word_bytes_written", Accesses::bytes(a.word_written, a.entry_bits)}};
+        run["memory_bits"][a.buffer] = a.memory_bits;
+        total += a.memory_bits;
+      }
+      run["memory_bits"]["total"] = total;
     }
     runs.push_back(run);
   }

@@ -92,6 +92,13 @@ class Area(unittest.TestCase):
         for mine, theirs in zip(first["rows"], changed["rows"]):
             self.assertNotEqual(theirs["cells"], mine["cells"])
 
+        # The unit without its pipeline is the same part: nothing is mapped again, and the rows are equal.
+        out = self.folder / "out.json"
+        done = self.run_tool("--alone", f"{LOW}@1:{UNIT}", "--targets", "ecp5,ice40", "--alone-targets", "ice40", "--json", out)
+        self.assertEqual((done.returncode, len(re.findall(rf": {UNIT}, ", done.stderr))), (0, 0), done.stderr)
+        alone = json.loads(out.read_text())
+        self.assertEqual((alone["rows"], alone["buffers"]), (first["rows"][1:], []))
+
         one, mapped = self.good(LOW, "xilinx", "--tries", 1)
         self.assertEqual(mapped, 1)
         self.plausible(one["rows"][0])
@@ -139,6 +146,8 @@ class Area(unittest.TestCase):
         self.bad("--package", ROOT / "LICENSE", words=["LICENSE", "not a package"])
         self.bad("--package", LOW, "--lanes", "3", words=["lanes", "not 3"])
         self.bad("--package", LOW, "--targets", "gowin", words=["gowin", "ecp5"])
+        self.bad("--alone", f"{LOW}:light_vertex", words=["light_vertex", "lighting"])
+        self.bad("--alone", f"{LOW}:no_unit", words=["no_unit", "shade_phong"])
         self.bad("--package", LOW, "--markdown", ROOT / "LICENSE", words=["LICENSE", "begin"])
         self.bad("--package", LOW, "--yosys", self.folder / "no_yosys", words=["no_yosys"])
 

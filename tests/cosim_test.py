@@ -2,10 +2,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Writes a vector set and runs a Verilated program on it under several stall seeds. Judges by what the reports count:
 every stream has words, none mismatches.
+SCENE `layers` is one of its own.
 Usage: cosim_test.py HALFSPACE PROGRAM FOLDER SCENE CONFIG LANES [--stall P] [--seeds N] [--bound X] [-- options of `halfspace vectors`]"""
 import argparse
 import json
 import pathlib
+import random
 import shutil
 import subprocess
 import sys
@@ -17,18 +19,60 @@ def run(command):
     return result.returncode, result.stdout + (result.stderr if result.returncode else "")
 
 
-def rates(args, engine, options):
-    """Of the scene by the reference or by the kernels."""
+def layers(path):
+    """Triangles behind each other, the farthest first: under each stamp there are others, so that the Z-test of type gamma sets the
+    pace."""
+    draw = random.Random(1)
+    lines = ["size 160 120"]
+    for k in range(300):
+        x, y = draw.uniform(0, 160), draw.uniform(0, 120)
+        corners = [(x + draw.uniform(-50, 50), y + draw.uniform(-50, 50)) for _ in range(3)]
+        lines.append("t" + "".join(f" {a:.3f} {b:.3f} {0.95 - k / 400 + draw.uniform(-0.05, 0.05):.4f} {k % 256} 90 {255 - k % 256}"
+                                   for a, b in corners))
+    path.write_text("\n".join(lines) + "\n")
+
+
+COUNTED = ("triangles", "reduced_triangles", "fragments", "reduced_fragments", "visible_pixels")
+ACCESSES = ("entry_bits", "read", "written", "bytes_read", "bytes_written")
+
+
+def present(bits):
+    return {name: number for name, number in bits.items() if number}
+
+
+def counts(args, engine, options, architecture):
+    """What the scene takes by the reference or by the kernels: data rates, and accesses of each buffer."""
     report = pathlib.Path(args.folder) / f"{engine}.json"
-    architecture = ["--architecture", "delta"] if engine == "ref" else ["--lanes", args.lanes]
-    code, text = run([args.halfspace, "render", args.scene, "--config", args.config, "--engine", engine, *architecture,
+    by = ["--architecture", architecture] if engine == "ref" else []
+    code, text = run([args.halfspace, "render", args.scene, "--config", args.config, "--engine", engine, "--lanes", args.lanes, *by,
                       *options, "--json", str(report)])
     if code:
         raise SystemExit(text)
-    found = json.loads(report.read_text())["rates"]
-    for name in ("lightings", "texture_fetches"):
-        found.pop(name, None)
-    return found
+    return json.loads(report.read_text())
+
+
+def difference(args, one, options):
+    """Why the RTL's counters of a scene are not those of the kernels and of the reference, or its cycles without stalls not those of
+    the model; nothing if they are."""
+    buffers = one["buffers"]
+    architecture = "gamma" if "visibility_database" in buffers else "delta"
+    for engine in ("ref", "hls"):
+        found = counts(args, engine, options, architecture)
+        rates = {name: found["rates"][name] for name in COUNTED}
+        if rates != one["rates"] or not rates["visible_pixels"]:
+            return f"the rates differ: {engine} {rates}, RTL {one['rates']}"
+        whole = engine == "hls"  # the reference has no memories, and so no words
+        mine = buffers if whole else {name: {key: use[key] for key in ACCESSES} for name, use in buffers.items()}
+        if found["buffers"] != mine or not all(use["read"] and use["written"] for use in mine.values()):
+            return f"the accesses differ: {engine} {found['buffers']}, RTL {mine}"
+        if whole and present(found["memory_bits"]) != one["memory_bits"]:
+            return f"the memories differ: {engine} {found['memory_bits']}, RTL {one['memory_bits']}"
+        if whole and args.stall == 0 and found["modelled_cycles"]:
+            modelled, cycles = found["modelled_cycles"]["frame"], one["cycles"]
+            print(f"{cycles} cycles a frame, {modelled} by the model: {modelled / cycles:.5f}")
+            if abs(modelled - cycles) > 2 + args.model * cycles:
+                return f"the model is off by more than 2 cycles and {args.model} of the frame"
+    return ""
 
 
 def main():
@@ -38,12 +82,18 @@ def main():
     parser.add_argument("--stall", type=int, default=30)
     parser.add_argument("--seeds", type=int, default=1, help="run seeds 1 … N")
     parser.add_argument("--bound", type=float, default=0, help="cycles a frame at most, as a multiple of the bound")
+    parser.add_argument("--model", type=float, default=0.001,
+                        help="how far the cycles of the model may be off, as a share of a frame")
     own = sys.argv[1:]
     at = own.index("--") if "--" in own else len(own)
     args = parser.parse_args(own[:at])
 
     folder = pathlib.Path(args.folder)
     shutil.rmtree(folder, ignore_errors=True)
+    if args.scene == "layers":
+        folder.mkdir(parents=True)
+        args.scene = str(folder / "layers.tri")
+        layers(pathlib.Path(args.scene))
     code, text = run([args.halfspace, "vectors", args.scene, "--config", args.config, "--lanes", args.lanes, "--out",
                       str(folder), *own[at + 1:]])
     print(text, end="")
@@ -66,14 +116,12 @@ def main():
                 print(f"seed {seed}, {one['unit']}: streams {bad or 'none'} without words or with mismatches")
                 return 1
             words += one["words"]
-            # Data rates counted at the RTL's streams, in the kernels and by the reference; of a scene alone.
+            # Counted at the RTL's streams, in the kernels and by the reference; of a scene alone.
             if seed == 1 and one["unit"] == "pipeline" and "--no-corners" in own:
-                options = [option for option in own[at + 1:] if option != "--no-corners"]
-                for engine in ("ref", "hls"):
-                    counted = rates(args, engine, options)
-                    if counted != one["rates"] or not counted["visible_pixels"]:
-                        print(f"the rates differ: {engine} {counted}, RTL {one['rates']}")
-                        return 1
+                why = difference(args, one, [option for option in own[at + 1:] if option != "--no-corners"])
+                if why:
+                    print(why)
+                    return 1
             bound = one.get("bound", {}).get("cycles", 0)
             if args.bound and not 0 < one["cycles"] <= args.bound * bound:
                 print(f"{one['cycles']} cycles a frame, more than {args.bound} times the bound of {bound}")

@@ -22,7 +22,7 @@ struct FlatOnly {
 
 struct Gamma {
   static constexpr Config config() {
-    return {"gamma", 160, 120, 500, 9, 6, 18, 8, 20, 12, 14, 4, Shading::kGouraud, Architecture::kGamma};
+    return {"gamma", 160, 120, 4000, 9, 6, 18, 8, 20, 12, 14, 4, Shading::kGouraud, Architecture::kGamma};
   }
 };
 struct GammaFlat {

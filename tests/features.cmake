@@ -22,6 +22,15 @@ halfspace_cosim_file(gamma_odd 8 pipeline)
 halfspace_cosim_file(gamma_tiny 1 units)
 halfspace_cosim_file(gamma_tiny 16 pipeline)
 
+# Whole frames of type γ without stalls: rates and accesses in reference, kernels and RTL, and the cycles of the model.
+foreach(lanes IN ITEMS 1 4 16)
+  foreach(scene IN ITEMS castle layers)
+    add_test(NAME pipeline_gamma_${lanes}_${scene} COMMAND Python3::Interpreter ${cosim_tool} $<TARGET_FILE:halfspace>
+             ${CMAKE_CURRENT_BINARY_DIR}/model_pipeline_gamma_${lanes}/bench ${CMAKE_CURRENT_BINARY_DIR}/pipeline_gamma_${lanes}_${scene} ${scene}
+             ${CMAKE_CURRENT_SOURCE_DIR}/configs/gamma.toml ${lanes} --stall 0 --seeds 1 --model 0.01 -- --no-corners)
+  endforeach()
+endforeach()
+
 add_test(NAME faults_flat COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tb/faults/run.py
   --faults ${PROJECT_SOURCE_DIR}/tb/faults/flat.txt --config ${CMAKE_CURRENT_SOURCE_DIR}/configs/flat_only.toml
   --package ${CMAKE_CURRENT_BINARY_DIR}/model_units_flat_only_4/hs_formats_pkg.sv --halfspace $<TARGET_FILE:halfspace>

@@ -170,19 +170,21 @@ TEST(Gamma, TestsCostACycleForEachStoredTriangle) {
   EXPECT_EQ(tests[1].entries, 1);
   EXPECT_EQ(tests[2].entries, 0);
   const ref::Frame frame = engine->render(scene);
-  const vectors::Traffic traffic = vectors::frame_traffic(config, *engine, scene, frame);
-  const std::uint64_t entry = (3 * (16 + 13) + 7) / 8;
-  EXPECT_EQ(traffic.visibility_read, entry);
-  EXPECT_EQ(traffic.visibility_written, entry);  // of the visible one alone
-  EXPECT_EQ(traffic.depth_read + traffic.depth_written, 0u);
+  const vectors::Accesses accesses = vectors::count_accesses(config, *engine, scene);
+  EXPECT_EQ(vectors::entry_bits(config).visibility, 3 * (16 + 13));
+  for (const ref::BufferUses& uses : {accesses.needed, accesses.words}) {
+    EXPECT_EQ(uses.visibility.read, 1u);
+    EXPECT_EQ(uses.visibility.written, 1u);  // of the visible one alone
+    EXPECT_EQ(uses.depth.read + uses.depth.written, 0u);
+  }
   EXPECT_EQ(vectors::model_cycles(config, *engine, scene, frame).test, 6u);
 }
 
 TEST(Gamma, HasTdbvInThePlaceOfTheZBuffer) {
   Config config = config_of("low");
-  const vectors::MemoryBits delta = vectors::memory_bits(Configuration("delta", config));
+  const vectors::MemoryBits delta = vectors::memory_bits(config);
   config.architecture = Architecture::kGamma;
-  const vectors::MemoryBits gamma = vectors::memory_bits(Configuration("gamma", config));
+  const vectors::MemoryBits gamma = vectors::memory_bits(config);
   EXPECT_EQ(delta.depth, 320u * 200 * 16);
   EXPECT_EQ(delta.visibility, 0u);
   EXPECT_EQ(gamma.depth, 0u);

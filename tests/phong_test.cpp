@@ -123,6 +123,7 @@ void expect_planes_within_bound() {
 }
 TEST(NormalPlanes, AreWithinTheBound) {
   expect_planes_within_bound<PhongLow>();
+  expect_planes_within_bound<PhongMiddle>();
   expect_planes_within_bound<PhongHigh>();
 }
 
@@ -221,8 +222,12 @@ TEST(PhongScenes, KeepTheirBoundInLow) {
   compare_scene("teapot", false, PhongLow::config(), 320, 200, 255);
 }
 
+TEST(PhongScenes, KeepTheirBoundInMiddle) {
+  for (const std::string& name : ref::builtin_scene_names()) compare_scene(name, false, PhongMiddle::config(), 640, 480, 255);
+}
+
 TEST(PhongConfigurations, FilesAndHeadersAgree) {
-  for (const Config& config : {PhongLow::config(), PhongHigh::config()}) {
+  for (const Config& config : {PhongLow::config(), PhongMiddle::config(), PhongHigh::config()}) {
     const std::string path = std::string(HALFSPACE_SOURCE "/tests/configs/") + config.name + ".toml";
     EXPECT_EQ(vectors::configuration_toml(vectors::find_configuration(path)), vectors::configuration_toml(configuration_of(config)));
   }
@@ -252,7 +257,7 @@ TEST(PhongConfigurations, AreRefusedWithAReason) {
 
 // With the top bit of a width taken away the planes or the picture change.
 TEST(PhongFormats, NoWidthIsABitTooWide) {
-  for (const Config& config : {PhongLow::config(), PhongHigh::config()}) {
+  for (const Config& config : {PhongLow::config(), PhongMiddle::config(), PhongHigh::config()}) {
     const auto frames = frames_of(config);
     auto words_of = [&](vectors::Engine& engine, const vectors::NamedFrame& frame) {
       std::vector<vectors::Word> all;

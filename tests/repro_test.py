@@ -54,7 +54,7 @@ class Repro(unittest.TestCase):
         for row in report["bandwidth"]:
             if row["wide_pixel"] == "planes" and row["shading"] != "flat":
                 self.assertLess(row["delta"]["total"], 0.5 * row["beta"]["total"], row)
-                self.assertLess(row["gamma"]["total"] - row["gamma"]["tdbv"], 0.5 * row["beta"]["total"], row)
+                self.assertLess(row["gamma"]["total"] - row["gamma"]["visibility_database"], 0.5 * row["beta"]["total"], row)
 
     def test_dual_pipeline(self):
         with tempfile.TemporaryDirectory() as folder:

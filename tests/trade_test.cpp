@@ -209,13 +209,16 @@ TEST(Trade, WhatIsNotThereHasNoTraffic) {
   const vectors::Projection project = [&](const ref::View& view) { return ref::project(scene, view); };
   const Config flat{"flat", 160, 120, 100, 9, 6, 0, 8, 0, 0, 0, 4, Shading::kFlat};
   const vectors::Trade trade = vectors::measure_trade(project, 160, 120, {"flat", flat}, 1);
-  EXPECT_EQ(trade.traffic.depth_read + trade.traffic.depth_written, 0u);
-  EXPECT_EQ(trade.traffic.planes_written, trade.triangles * 24 / 8);
+  const vectors::Accesses& a = trade.accesses;
+  EXPECT_EQ(a.words.depth.read + a.words.depth.written, 0u);
+  EXPECT_EQ(a.words.shading.written, trade.triangles);
   EXPECT_EQ(trade.ideal.depth_largest, 0);
   EXPECT_GE(trade.cycles.frame, 160u * 120);
   // Scan-out reads each index once and writes it once; what is drawn comes on top.
-  EXPECT_GT(trade.traffic.index_read, 160u * 120 * 7 / 8);
-  EXPECT_LT(trade.traffic.index_written, trade.traffic.index_read + 1);
+  EXPECT_GT(a.words.index.read, 160u * 120);
+  EXPECT_LE(a.words.index.written, a.words.index.read);
+  EXPECT_EQ(vectors::total_bytes(a.words, vectors::entry_bits(flat)),
+            (7 * a.words.index.read + 7) / 8 + (7 * a.words.index.written + 7) / 8 + 24 / 8 * (a.words.shading.read + trade.triangles));
 }
 
 TEST(Trade, IntervalsOfTheNamedConfigurations) {

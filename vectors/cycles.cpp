@@ -133,7 +133,7 @@ class Pipeline {
 
 // Of the finished frame: its stamps, and for each stamp the different triangles in it, one for background alone.
 struct ScanWork {
-  std::uint64_t stamps = 0, groups = 0, entries = 0;  // entries of TdbS that are read
+  std::uint64_t stamps = 0, groups = 0;
 };
 
 ScanWork scan_work(const Engine& engine, const ref::Frame& frame) {
@@ -151,7 +151,6 @@ ScanWork scan_work(const Engine& engine, const ref::Frame& frame) {
       }
       ++work.stamps;
       work.groups += std::max<std::size_t>(seen.size(), 1);
-      work.entries += seen.size();
     }
   }
   return work;
@@ -202,48 +201,6 @@ Cycles model_cycles(const Config& config, Engine& engine, const ref::SnappedList
   }
   result.frame = std::uint64_t(frames == 1 ? pixel_done[0] : pixel_done[frames - 1] - pixel_done[frames - 2]);
   return result;
-}
-
-Traffic frame_traffic(const Config& config, Engine& engine, const ref::SnappedList& scene,
-                      const ref::Frame& frame) {
-  const FormatTable t = format_table(config);
-  const ScanWork scan = scan_work(engine, frame);
-  const std::uint64_t lanes = std::uint64_t(engine.lanes_x()) * engine.lanes_y();
-  std::uint64_t tested = 0, passed = 0, stored = 0, visible = 0;  // stamps, lanes, entries, triangles
-  engine.capture(scene, [&](const Layout& layout, const Word* words, std::size_t count) {
-    if (layout.stream == "stamp") tested = count;
-    for (const Field& field : layout.fields) {
-      if (layout.stream == "planes" && field.name == "empty") {
-        for (std::size_t n = 0; n < count; ++n) stored += !(words[n][field.lsb / 64] >> field.lsb % 64 & 1);
-      }
-      if (layout.stream == "visible" && field.name == "visible") {
-        for (std::size_t n = 0; n < count; ++n) visible += words[n][field.lsb / 64] >> field.lsb % 64 & 1;
-      }
-      if (layout.stream != "update" || field.name != "mask") continue;
-      for (std::size_t n = 0; n < count; ++n) {
-        for (int bit = field.lsb; bit < field.lsb + field.count; ++bit) passed += words[n][bit / 64] >> bit % 64 & 1;
-      }
-    }
-  });
-  const auto bytes = [](std::uint64_t bits) { return (bits + 7) / 8; };
-  const std::uint64_t index = t.index.width, depth = stores_depth(config) ? t.depth.width : 0;
-  const std::uint64_t entry = is_gouraud(config) ? 9 * t.colour_plane.width
-                              : is_phong(config) ? 9 * t.normal_plane.width + t.material.width : 3 * t.colour.width;
-  Traffic traffic;
-  traffic.index_read = bytes((tested + scan.stamps) * lanes * index);
-  traffic.index_written = bytes((passed + scan.stamps * lanes) * index);
-  traffic.depth_read = bytes(tested * lanes * depth);
-  traffic.depth_written = bytes(passed * depth);
-  traffic.planes_read = bytes(scan.entries * entry);
-  traffic.planes_written = bytes(stored * entry);
-  if (tests_planes(config)) {
-    const std::uint64_t plane = 3 * t.depth_plane.width;
-    std::uint64_t fetched = 0;
-    for (const PlaneTests& test : engine.plane_tests(scene)) fetched += std::uint64_t(test.entries);
-    traffic.visibility_read = bytes(fetched * plane);
-    traffic.visibility_written = bytes(visible * plane);
-  }
-  return traffic;
 }
 
 }  // namespace halfspace::vectors

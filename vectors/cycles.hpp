@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cycles a frame of the RTL, and the traffic of its memories, without simulating it.
+// Cycles a frame of the RTL, without simulating it.
 //
 // Type γ: the Z-test takes the cycles of ztest_plane; that a stamp waits for one in flight at the same pixels is not modelled.
 // The kernels tell what a frame asks of each unit: stamps visited, triangles in a stamp. The model moves triangles, not
@@ -35,20 +35,6 @@ struct Cycles {
 // `frame` is what `engine` renders `scene` to. Frames drawn back to back: the last is counted.
 Cycles model_cycles(const Config&, Engine& engine, const ref::SnappedList& scene, const ref::Frame& frame,
                     int frames = 2);
-
-// Bytes a frame, words as wide as they are stored (not filled up to bytes); reads are of whole words, writes of the lanes
-// that change.
-struct Traffic {
-  std::uint64_t index_read = 0, index_written = 0;    // Z-test, scan-out and its clearing
-  std::uint64_t depth_read = 0, depth_written = 0;
-  std::uint64_t planes_read = 0, planes_written = 0;  // TdbS
-  std::uint64_t visibility_read = 0, visibility_written = 0;  // TdbV, in the place of the Z-buffer
-  std::uint64_t total() const {
-    return index_read + index_written + depth_read + depth_written + planes_read + planes_written + visibility_read +
-           visibility_written;
-  }
-};
-Traffic frame_traffic(const Config&, Engine& engine, const ref::SnappedList& scene, const ref::Frame& frame);
 
 }  // namespace halfspace::vectors
 

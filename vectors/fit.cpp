@@ -9,6 +9,7 @@
 
 #include "ref/error.hpp"
 #include "vectors/engine.hpp"
+#include "vectors/memories.hpp"
 
 namespace halfspace::vectors {
 namespace {
@@ -147,6 +148,41 @@ Config generous_start(Search& search, const FitScene& scene, const FitGoal& goal
       goal.max_lsb > 0 ? fmt::format("{:.1f} dB and {} LSB", goal.psnr, goal.max_lsb) : fmt::format("{:.1f} dB", goal.psnr), best.why));
 }
 
+// Cycles by the model.
+std::uint64_t slowest_frame(const FitScene& scene, const Configuration& configuration) {
+  const Config c = configuration.config();
+  std::uint64_t most = 0;
+  for (const Projection& project : scene.frames) {
+    const auto list = ref::snap(project({scene.width, scene.height, c.range_bits, c.subpixel_bits}), raster_format(configuration));
+    const auto engine = make_engine(configuration, c.lanes);
+    most = std::max(most, model_cycles(c, *engine, list, engine->render(list)).frame);
+  }
+  return most;
+}
+
+// Makes `c` the one of the two.
+FitArchitecture choose_architecture(Config& c, const FitGoal& goal, const std::function<std::uint64_t(const Config&)>& cycles_of) {
+  Config gamma = c;
+  gamma.architecture = Architecture::kGamma;
+  FitArchitecture found{memory_bits(c).depth, memory_bits(gamma).visibility, cycles_of(c), 0, ""};
+  if (const Refusal reason = refusal(gamma); reason != Refusal::kNone) {
+    found.why = "gamma is refused: " + refusal_text(reason);
+    return found;
+  }
+  found.cycles_gamma = cycles_of(gamma);
+  const double most = goal.cycles ? double(goal.cycles) : kGammaCycles * double(found.cycles_delta);
+  if (found.tdbv_bits >= found.z_buffer_bits) {
+    found.why = fmt::format("TdbV has {} bits, the Z-buffer {}", found.tdbv_bits, found.z_buffer_bits);
+  } else if (double(found.cycles_gamma) > most) {
+    found.why = fmt::format("a frame of gamma takes {} cycles, more than {:.0f}", found.cycles_gamma, most);
+  } else {
+    found.why = fmt::format("TdbV has {} bits instead of the Z-buffer's {}, and a frame takes {} cycles instead of {}", found.tdbv_bits,
+                            found.z_buffer_bits, found.cycles_gamma, found.cycles_delta);
+    c.architecture = Architecture::kGamma;
+  }
+  return found;
+}
+
 }  // namespace
 
 Fit fit_configuration(const FitScene& scene, const std::string& name, const FitGoal& goal, int lanes,
@@ -178,7 +214,7 @@ Fit fit_configuration(const FitScene& scene, const std::string& name, const FitG
     }
   }
 
-  Fit fit{named_configurations()[0], search.try_config(c), {}, 0};
+  Fit fit{named_configurations()[0], search.try_config(c), {}, 0, {}};
   c.triangles = int(fit.outcome.triangles);
   auto tell_less = [&](const std::string& field, int value, const FitOutcome& outcome) {
     fit.less.push_back({fmt::format("{} {} -> {}", field, value, value - 1), outcome.holds ? "holds" : outcome.why});
@@ -191,26 +227,19 @@ Fit fit_configuration(const FitScene& scene, const std::string& name, const FitG
                       fmt::format("a frame has {}", fit.outcome.triangles)});
 
   c.lanes = lanes ? lanes : 1;
+  const auto cycles_of = [&](const Config& with) { return slowest_frame(scene, Configuration(name, with)); };
   if (goal.cycles) {
-    auto cycles_with = [&](int n) {
-      Config with = c;
-      with.lanes = n;
-      std::uint64_t most = 0;
-      for (const Projection& project : scene.frames) {
-        const Configuration configuration(name, with);
-        const auto list = ref::snap(project({scene.width, scene.height, c.range_bits, c.subpixel_bits}), raster_format(configuration));
-        const auto engine = make_engine(configuration, n);
-        most = std::max(most, model_cycles(with, *engine, list, engine->render(list)).frame);
-      }
-      return most;
-    };
-    std::uint64_t reached = cycles_with(c.lanes);
-    while (!lanes && reached > goal.cycles && c.lanes < 16) reached = cycles_with(c.lanes *= 2);
+    std::uint64_t reached = cycles_of(c);
+    while (!lanes && reached > goal.cycles && c.lanes < 16) {
+      c.lanes *= 2;
+      reached = cycles_of(c);
+    }
     if (reached > goal.cycles) {
       throw ref::Error(fmt::format("{}: a frame takes {} cycles with {} lanes, more than {}: allow more cycles", scene.name, reached,
                                    c.lanes, goal.cycles));
     }
   }
+  if (has_depth(c)) fit.architecture = choose_architecture(c, goal, cycles_of);
   fit.configuration = Configuration(name, c);
   fit.tried = search.tried();
   return fit;
@@ -219,26 +248,6 @@ Fit fit_configuration(const FitScene& scene, const std::string& name, const FitG
 FitOutcome check_fit(const FitScene& scene, const Configuration& configuration, const FitGoal& goal, int lanes) {
   const Search search(scene, goal, nullptr);
   return search.draw(configuration.config(), make_engine(configuration, lanes));
-}
-
-MemoryBits memory_bits(const Configuration& configuration) {
-  const Config c = configuration.config();
-  const FormatTable table = format_table(c);
-  const std::uint64_t pixels = std::uint64_t(c.width) * c.height;
-  std::uint64_t planes = 0;
-  for (const Layout& layout : make_engine(configuration, 1)->layouts()) {
-    if (layout.stream != "planes") continue;
-    // Colours and gradients; the rest of the record is its address.
-    for (const Field& field : layout.fields) {
-      if (field.name != "last" && field.name != "empty" && field.name != "index") planes += field.width * field.count;
-    }
-  }
-  MemoryBits bits{};
-  bits.index = 2 * pixels * table.index.width;
-  bits.depth = stores_depth(c) ? pixels * table.depth.width : 0;
-  bits.shading = 2 * planes * c.triangles;
-  bits.visibility = tests_planes(c) ? 3 * std::uint64_t(table.depth_plane.width) * c.triangles : 0;
-  return bits;
 }
 
 }  // namespace halfspace::vectors

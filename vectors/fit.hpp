@@ -3,7 +3,8 @@
 //
 // The search begins with a configuration that is more than enough and takes away, in the order of what it saves: the
 // Z-buffer, the colour planes, then bits of depth, colour, positions, gradients and the reciprocal, each as long as every
-// frame keeps the goal; again until nothing more can go. The range, the frame and the number of triangles follow from the
+// frame keeps the goal; again until nothing more can go. Type γ, which draws the same frames, takes the place of what needs a
+// Z-buffer where it is smaller. The range, the frame and the number of triangles follow from the
 // scene. So a bit less anywhere is refused or breaks the goal, which `less` shows for each number.
 #ifndef HALFSPACE_VECTORS_FIT_HPP_
 #define HALFSPACE_VECTORS_FIT_HPP_
@@ -56,11 +57,21 @@ struct FitLess {
   std::string result;  // why not
 };
 
+// Type γ beside type δ, where the scene needs depth: the memories in which they differ, and the cycles of the slowest frame by the
+// model. γ is taken if TdbV has fewer bits than the Z-buffer, and a frame takes no more cycles than the goal allows or, where it
+// asks for none, than kGammaCycles of δ's.
+struct FitArchitecture {
+  std::uint64_t z_buffer_bits = 0, tdbv_bits = 0, cycles_delta = 0, cycles_gamma = 0;  // 0: without depth
+  std::string why;  // the one that is taken is
+};
+constexpr double kGammaCycles = 1.02;
+
 struct Fit {
   Configuration configuration;
   FitOutcome outcome;
   std::vector<FitLess> less;
   std::uint64_t tried = 0;  // configurations
+  FitArchitecture architecture;
 };
 
 // `lanes` 0: the fewest that keep the goal's cycles. Throws ref::Error when no configuration reaches the goal, with the best
@@ -71,13 +82,6 @@ Fit fit_configuration(const FitScene&, const std::string& name, const FitGoal&, 
 // Renders every frame with `configuration` and holds it to the goal, by other means than the search: with the engine that
 // the configuration has (compiled if it is a named one) and another number of lanes.
 FitOutcome check_fit(const FitScene&, const Configuration&, const FitGoal&, int lanes);
-
-// Bits of the frame's memories: two banks of I-buffer and TdbS, one of Z-buffer or TdbV.
-struct MemoryBits {
-  std::uint64_t index, depth, shading, visibility;
-  std::uint64_t total() const { return index + depth + shading + visibility; }
-};
-MemoryBits memory_bits(const Configuration&);
 
 }  // namespace halfspace::vectors
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ref/architecture.hpp"
+#include "vectors/memories.hpp"
 
 namespace halfspace::vectors {
 
@@ -29,9 +30,6 @@ enum class WidePixel {
 };
 
 // Bits of an entry.
-struct BufferBits {
-  int depth, frame, pixel, index, visibility, shading;
-};
 BufferBits buffer_bits(const HardwareLevel&, ref::ShadingMode, WidePixel);
 
 struct BufferBytes {

@@ -121,7 +121,7 @@ Trade measure_trade(const Projection& project, int width, int height, const Conf
     trade.stored = stored_error(reference, frame, config.depth_bits);
     trade.intervals = unit_intervals(config);
     trade.cycles = model_cycles(config, *engine, scene, frame);
-    trade.traffic = frame_traffic(config, *engine, scene, frame);
+    trade.accesses = count_accesses(config, *engine, scene);
     trade.native_ms = median_ms(*engine, scene);
   }
   trade.shimmer = meter.result();

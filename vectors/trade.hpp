@@ -10,6 +10,7 @@
 
 #include "ref/ideal.hpp"
 #include "ref/raster.hpp"
+#include "vectors/accesses.hpp"
 #include "vectors/accuracy.hpp"
 #include "vectors/configuration.hpp"
 #include "vectors/cycles.hpp"
@@ -75,7 +76,7 @@ struct Trade {
   Shimmer shimmer;
   UnitIntervals intervals;
   Cycles cycles;
-  Traffic traffic;
+  Accesses accesses;
   bool compiled = false;  // the kernels, and not read at run time
   double native_ms = 0;   // a frame by the kernels, on one thread of this machine, the median of five
 };

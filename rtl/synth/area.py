@@ -15,7 +15,7 @@ import sys
 
 sys.dont_write_bytecode = True  # no __pycache__ between the sources
 import report
-from design import COMPOSITION, LANES, UNITS, elaborate
+from design import COMPOSITION, LANES, OTHERS, UNITS, elaborate, elaborate_alone
 from jobs import Runner
 from rows import PIPELINE, buffers, measured
 from targets import TARGETS
@@ -28,6 +28,13 @@ def point(text):
     """FILE or FILE@1,4,16."""
     path, _, lanes = text.partition("@")
     return pathlib.Path(path), [lane_number(word) for word in lanes.split(",")] if lanes else None
+
+
+def alone(text):
+    """FILE:UNIT,… or FILE@1,4:UNIT,…"""
+    file, _, units = text.rpartition(":")
+    path, lanes = point(file)
+    return path, lanes, names_of([*UNITS, *OTHERS])(units)
 
 
 def lane_number(text):
@@ -62,8 +69,12 @@ def arguments():
     every = [*UNITS, COMPOSITION, PIPELINE]
     parser.add_argument("--package", type=point, action="append", metavar="FILE[@LANES,…]",
                         help="formats package, of `halfspace package`; may be repeated (default: low, middle, high)")
+    parser.add_argument("--alone", type=alone, action="append", default=[], metavar="FILE[@LANES,…]:UNIT,…",
+                        help=f"these units of another package, without its pipeline: {', '.join([*UNITS, *OTHERS])}; may be "
+                        "repeated")
     parser.add_argument("--lanes", type=lane_number, default=1, help="of packages that name none (default: 1)")
     parser.add_argument("--targets", type=names_of(list(TARGETS)), default="all", help=f"{','.join(TARGETS)} or all")
+    parser.add_argument("--alone-targets", type=names_of(list(TARGETS)), help="of the units of --alone (default: --targets)")
     parser.add_argument("--units", type=names_of(every), default="all", help=f"{','.join(every)} or all")
     parser.add_argument("--clock", action="store_true", help="place and route units on an iCE40 HX8K (target ice40)")
     parser.add_argument("--seed", type=int, default=1, help="of nextpnr (default: %(default)s)")
@@ -82,7 +93,8 @@ def arguments():
         parser.error("--clock is of target ice40: add it to --targets")
     if args.jobs < 1 or args.tries < 1:
         parser.error("--jobs and --tries are 1 or more")
-    if not args.package:
+    args.alone_targets = [name for name in args.alone_targets or args.targets if name in args.targets]
+    if not args.package and not args.alone:
         args.package = [(root / "rtl" / name / "hs_formats_pkg.sv", None) for name in ("low", "middle", "high")]
     return args
 
@@ -94,9 +106,11 @@ def main():
             report.between_markers(args.markdown, "")  # found wanting now rather than at the end
         runner, designs = Runner(args), []
         needed = [unit for unit in UNITS if unit in args.units or PIPELINE in args.units]
-        for path, lanes in args.package:
+        for path, lanes in args.package or []:
             for number in lanes or [args.lanes]:
                 designs.append(elaborate(args.yosys, args.rtl, path, number, needed))
+        for path, lanes, units in args.alone:
+            designs += [elaborate_alone(args.yosys, args.rtl, path, number, units) for number in lanes or [args.lanes]]
         rows = measured(designs, runner)
         result = {"format": "halfspace-area 1", "yosys": runner.yosys.removeprefix("Yosys "), "tries": args.tries, "rows": rows,
                   "buffers": [line for design in designs for line in buffers(design)],

@@ -15,6 +15,8 @@ from rtlil import TOP, canonical, memories, module, ports
 from tools import AreaError, run, say
 
 UNITS = ("triangle_setup", "shade_setup", "raster_pineda", "ztest_index", "ztest_plane", "scan_index", "shade_gouraud")
+# Units that other configurations have, measured alone.
+OTHERS = ("light_vertex", "phong_setup", "shade_phong")
 COMPOSITION = "composition"
 # Memories of the frame, which an FPGA may hold elsewhere: they are counted in bits, not mapped.
 BUFFERS = ("depth_buffer", "visibility_database", "index_buffer", "shading_database")
@@ -40,11 +42,11 @@ class Design:
     lanes: int
     parts: dict         # name -> Part
     buffers: dict       # name -> [(words, width)]
+    alone: bool = False  # units without hs_pipeline and the memories of the frame
 
 
-def elaborate(yosys, rtl, package, lanes, units):
-    """The Design of one package file and one number of lanes, with these units and the composition."""
-    package, rtl = pathlib.Path(package), pathlib.Path(rtl).resolve()
+def opened(package, lanes):
+    """The text of a package, the name of its configuration, and a title."""
     try:
         text = package.read_text()
     except (OSError, UnicodeDecodeError) as error:
@@ -53,7 +55,36 @@ def elaborate(yosys, rtl, package, lanes, units):
     named = re.search(r"Number formats of configuration `([^`]+)`", text)
     if not named or "package hs_formats_pkg" not in text:
         raise AreaError(f"{package} is not a package of number formats: print one with `halfspace package`")
-    title = f"{package}, {lanes} lane{'s' * (lanes > 1)}"
+    return text, named.group(1), f"{package}, {lanes} lane{'s' * (lanes > 1)}"
+
+
+def elaborate_alone(yosys, rtl, package, lanes, units):
+    """The Design of these units alone, without hs_pipeline and the memories of the frame."""
+    package, rtl = pathlib.Path(package), pathlib.Path(rtl).resolve()
+    text, config, title = opened(package, lanes)
+    given, parts = {unit: values(text, unit, title) for unit in units}, {}
+    say(f"{title}: elaboration")
+    for unit in units:
+        bodies = flatten(yosys, rtl, package, f"hs_{unit}", lanes, title, values=given[unit])
+        parts[unit] = part(unit, bodies, next(name for name in bodies if f"hs_{unit}" in name))
+    return Design(str(package), config, lanes, parts, {}, alone=True)
+
+
+def values(text, unit, title):
+    """Of the parameters that have no defaults: {name: value}, from the package."""
+    found = dict(re.findall(r"localparam int unsigned (\w+) = (\d+);", text))
+    needs = {"light_vertex": "Lights", "phong_setup": "NormalPlaneBits", "shade_phong": "NormalPlaneBits"}
+    if needs.get(unit, "HasDepth") not in found:
+        raise AreaError(f"{title}: its configuration has no {unit}: take one with lighting, or leave the unit out")
+    if unit == "light_vertex":
+        return {"Vertices": 3 if found["Gouraud"] == "1" else 1}
+    return {"NormalBits": found["NormalBits"]} if unit == "phong_setup" else {}
+
+
+def elaborate(yosys, rtl, package, lanes, units):
+    """The Design of one package file and one number of lanes, with these units and the composition."""
+    package, rtl = pathlib.Path(package), pathlib.Path(rtl).resolve()
+    text, config, title = opened(package, lanes)
     say(f"{title}: elaboration")
     # One of the two Z-tests is there: ztest_plane has depth and no Z-buffer.
     planes = re.search(r" HasDepth = 1;", text) and re.search(r" StoresDepth = 0;", text)
@@ -78,7 +109,7 @@ def elaborate(yosys, rtl, package, lanes, units):
             buffers.setdefault(instance(name), []).extend(memories(body))
     if not buffers:
         raise AreaError(f"{title}: hs_pipeline has no memories named {', '.join(BUFFERS)}: name them in {__file__}")
-    return Design(str(package), named.group(1), lanes, parts, buffers)
+    return Design(str(package), config, lanes, parts, buffers)
 
 
 def below(rtl, top):
@@ -95,16 +126,17 @@ def below(rtl, top):
     return dict(sorted(found.items()))
 
 
-def flatten(yosys, rtl, package, top, lanes, title, keep=""):
+def flatten(yosys, rtl, package, top, lanes, title, keep="", values=()):
     """{name: RTLIL} of a module, flat but for the modules that the commands `keep` mark."""
     sources = below(rtl, top)
-    lanes_x, lanes_y = LANES[lanes]
-    has_lanes = re.search(r"\bparameter\b.*\bLanesX\b", sources[top])
-    set_lanes = f"-chparam LanesX {lanes_x} -chparam LanesY {lanes_y}" if has_lanes else ""
+    given = dict(values)
+    if re.search(r"\bparameter\b.*\bLanesX\b", sources[top]):
+        given["LanesX"], given["LanesY"] = LANES[lanes]
+    parameters = " ".join(f"-chparam {name} {value}" for name, value in given.items())
     with tempfile.TemporaryDirectory(prefix="halfspace-area-") as folder:
         out = pathlib.Path(folder) / "flat.il"
         script = (f'read_verilog -sv "{package.resolve()}" {" ".join(f"{stem}.sv" for stem in sources)}; '
-                  f"hierarchy -check -top {top} {set_lanes}; proc; chformal -remove; check -assert; {keep}"
+                  f"hierarchy -check -top {top} {parameters}; proc; chformal -remove; check -assert; {keep}"
                   f'flatten; opt_clean; write_rtlil "{out}"')
         run([yosys, "-q", "-p", script], title, cwd=rtl)
         found = re.findall(r"^module (\S+)\n(.*?)^end$", out.read_text(), re.MULTILINE | re.DOTALL)

@@ -31,14 +31,15 @@ def table(head, lines):
 def markdown(result):
     """A table of units for each configuration and number of lanes, and one of the memories of the frame."""
     points = list(dict.fromkeys((row["config"], row["lanes"]) for row in result["rows"]))
-    targets = list(dict.fromkeys(row["target"] for row in result["rows"]))
-    clock = any(row["clock_mhz"] for row in result["rows"])
-    head = ["unit"] + [f"{TARGETS[target].title}: LUT" if name == "lut" else name.upper() if name != "depth" else name
-                       for target in targets for name in COLUMNS if shown(target, name)]
+    clocks = any(row["clock_mhz"] for row in result["rows"])
     blocks = [f"Measured with Yosys {result['yosys']}, the smallest of {result['tries']} tries.\n"]
     for config, lanes in points:
         rows = {(row["unit"], row["target"]): row for row in result["rows"]
                 if (row["config"], row["lanes"]) == (config, lanes)}
+        targets = list(dict.fromkeys(target for _, target in rows))
+        clock = clocks and "ice40" in targets
+        head = ["unit"] + [f"{TARGETS[target].title}: LUT" if name == "lut" else name.upper() if name != "depth" else name
+                           for target in targets for name in COLUMNS if shown(target, name)]
         lines = []
         for unit in dict.fromkeys(unit for unit, _ in rows):
             numbers = [f"{rows[unit, target][name]:,}" for target in targets for name in COLUMNS

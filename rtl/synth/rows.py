@@ -14,19 +14,21 @@ def measured(designs, runner):
     """The rows: each design, each target, each unit."""
     args, jobs = runner.args, {}
     for index, design in enumerate(designs):
-        whole = PIPELINE in args.units
-        names = [name for name in (*UNITS, COMPOSITION) if name in design.parts and (whole or name in args.units)]
-        for target in args.targets:
-            for name in names:
-                timed = args.clock and target == "ice40" and name in args.units and name != COMPOSITION
+        wanted, targets = asked(args, design)
+        for target in targets:
+            for name in design.parts:
+                if PIPELINE not in wanted and name not in wanted:
+                    continue
+                timed = args.clock and target == "ice40" and name in wanted and name != COMPOSITION
                 title = f"{design.config}, {design.lanes} lane{'s' * (design.lanes > 1)}: {name}, {target}"
                 jobs[index, target, name] = Job(design.parts[name], target, timed, title)
     results = dict(zip(jobs, runner.run(jobs.values())))
     rows = []
     for index, design in enumerate(designs):
-        for target in args.targets:
+        wanted, targets = asked(args, design)
+        for target in targets:
             found = {name: results.get((index, target, name)) for name in design.parts}
-            for name in args.units:
+            for name in wanted:
                 if name != PIPELINE and name not in design.parts:
                     continue
                 if name == PIPELINE:
@@ -35,6 +37,11 @@ def measured(designs, runner):
                                        "depth": netlist.joined_depth(found[COMPOSITION], units)}
                 rows.append(row(design, target, name, found[name], args.clock))
     return rows
+
+
+def asked(args, design):
+    """The units and the targets of a design."""
+    return (list(design.parts), args.alone_targets) if design.alone else (args.units, args.targets)
 
 
 def row(design, target, name, result, clock_wanted):

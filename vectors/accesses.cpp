@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vectors/accesses.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "vectors/field_value.hpp"
+
+namespace halfspace::vectors {
+namespace {
+
+class Counter {
+ public:
+  Counter(const Config& config, const Engine& engine, const ref::SnappedList& scene)
+      : stores_depth_(stores_depth(config)),
+        tests_planes_(tests_planes(config)),
+        lanes_x_(engine.lanes_x()),
+        lanes_(engine.lanes_x() * engine.lanes_y()),
+        lanes_y_(engine.lanes_y()),
+        width_(scene.width),
+        height_(scene.height) {}
+
+  void count(const Layout& layout, const Word* words, std::size_t number) {
+    ref::BufferUses &n = out_.needed, &w = out_.words;
+    const std::string& stream = layout.stream;
+    if (stream == "stamp") {
+      const std::uint64_t fragments = set(layout, words, number, "mask");
+      n.index.read += fragments, w.index.read += number * lanes_;
+      if (stores_depth_) n.depth.read += fragments, w.depth.read += number * lanes_;
+    } else if (stream == "update") {
+      const std::uint64_t passed = set(layout, words, number, "mask");
+      n.index.written += passed, w.index.written += passed;
+      if (stores_depth_) n.depth.written += passed, w.depth.written += passed;
+    } else if (stream == "scan") {
+      for (std::size_t k = 0; k < number; ++k) scan(layout, words[k]);
+    } else if (stream == "planes") {
+      stored(n.shading, w.shading, number - set(layout, words, number, "empty"));
+    } else if (stream == "visible" && tests_planes_) {
+      stored(n.visibility, w.visibility, set(layout, words, number, "visible"));
+    }
+  }
+  void fetched(std::uint64_t entries) { out_.needed.visibility.read += entries, out_.words.visibility.read += entries; }
+  const Accesses& result() const { return out_; }
+
+ private:
+  static const Field& field(const Layout& layout, const char* name) {
+    return *std::find_if(layout.fields.begin(), layout.fields.end(), [&](const Field& f) { return f.name == name; });
+  }
+  // Where the lanes, or the words, of a field are not 0.
+  static std::uint64_t set(const Layout& layout, const Word* words, std::size_t number, const char* name) {
+    const Field& of = field(layout, name);
+    std::uint64_t count = 0;
+    for (std::size_t k = 0; k < number; ++k) {
+      for (int lane = 0; lane < of.count; ++lane) count += field_value(words[k], of, lane) != 0;
+    }
+    return count;
+  }
+  static void stored(ref::BufferUse& needed, ref::BufferUse& words, std::uint64_t entries) {
+    needed.written += entries, words.written += entries;
+  }
+
+  void scan(const Layout& layout, const Word& word) {
+    const Field& index = field(layout, "index");
+    const int x = int(field_value(word, field(layout, "x"))) * lanes_x_, y = int(field_value(word, field(layout, "y"))) * lanes_y_;
+    const std::uint64_t pixels = std::uint64_t(std::min(lanes_x_, width_ - x)) * std::min(lanes_y_, height_ - y);
+    out_.needed.index.read += pixels, out_.needed.index.written += pixels;
+    out_.words.index.read += lanes_, out_.words.index.written += lanes_;
+    seen_.clear();
+    for (int lane = 0; lane < lanes_; ++lane) {
+      const std::int64_t entry = field_value(word, index, lane);
+      if (entry != 0 && std::find(seen_.begin(), seen_.end(), entry) == seen_.end()) seen_.push_back(entry);
+    }
+    out_.needed.shading.read += seen_.size(), out_.words.shading.read += seen_.size();
+  }
+
+  const bool stores_depth_, tests_planes_;
+  const int lanes_x_, lanes_, lanes_y_, width_, height_;
+  std::vector<std::int64_t> seen_;
+  Accesses out_;
+};
+
+}  // namespace
+
+Accesses count_accesses(const Config& config, Engine& engine, const ref::SnappedList& scene) {
+  Counter counter(config, engine, scene);
+  engine.capture(scene, [&](const Layout& layout, const Word* words, std::size_t count) { counter.count(layout, words, count); });
+  if (tests_planes(config)) {
+    for (const PlaneTests& test : engine.plane_tests(scene)) counter.fetched(std::uint64_t(test.entries));
+  }
+  return counter.result();
+}
+
+}  // namespace halfspace::vectors

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vectors/memories.hpp"
+
+#include "hls/formats.hpp"
+
+namespace halfspace::vectors {
+
+BufferBits entry_bits(const Config& config) {
+  const FormatTable t = format_table(config);
+  const int shading = is_gouraud(config) ? 9 * t.colour_plane.width
+                      : is_phong(config) ? 9 * t.normal_plane.width + t.material.width : 3 * t.colour.width;
+  return {stores_depth(config) ? t.depth.width : 0, 0, 0, t.index.width, tests_planes(config) ? 3 * t.depth_plane.width : 0, shading};
+}
+
+std::uint64_t total_bytes(const ref::BufferUses& uses, const BufferBits& bits) {
+  std::uint64_t total = 0;
+  for (const NamedBuffer& buffer : kBuffers) {
+    const ref::BufferUse& use = uses.*buffer.use;
+    total += bytes_of(use.read, bits.*buffer.bits) + bytes_of(use.written, bits.*buffer.bits);
+  }
+  return total;
+}
+
+MemoryBits memory_bits(const Config& c, int lanes_x, int lanes_y) {
+  const BufferBits entry = entry_bits(c);
+  const auto stamps = [](int size, int lanes) { return std::uint64_t(size + lanes - 1) / lanes; };
+  const std::uint64_t pixels = stamps(c.width, lanes_x) * stamps(c.height, lanes_y) * lanes_x * lanes_y;
+  std::uint64_t triangles = 1;
+  while (triangles < std::uint64_t(c.triangles)) triangles *= 2;
+  return {2 * pixels * entry.index, pixels * entry.depth, 2 * triangles * entry.shading, triangles * entry.visibility};
+}
+
+}  // namespace halfspace::vectors

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// The memories of the frame: what an entry holds, what accesses come to in bytes, and how many bits the RTL declares.
+#ifndef HALFSPACE_VECTORS_MEMORIES_HPP_
+#define HALFSPACE_VECTORS_MEMORIES_HPP_
+
+#include <cstdint>
+
+#include "hls/config.hpp"
+#include "ref/architecture.hpp"
+
+namespace halfspace::vectors {
+
+// Bits of an entry; 0 where there is no such memory.
+struct BufferBits {
+  int depth, frame, pixel, index, visibility, shading;
+};
+BufferBits entry_bits(const Config&);
+
+// Entries of so many bits, not filled up to bytes.
+constexpr std::uint64_t bytes_of(std::uint64_t entries, int bits) { return (entries * std::uint64_t(bits) + 7) / 8; }
+// Read and written.
+std::uint64_t total_bytes(const ref::BufferUses&, const BufferBits&);
+
+// A buffer of BufferUses and BufferBits by its name.
+struct NamedBuffer {
+  const char* name;
+  ref::BufferUse ref::BufferUses::*use;
+  int BufferBits::*bits;
+};
+constexpr NamedBuffer kBuffers[] = {{"depth_buffer", &ref::BufferUses::depth, &BufferBits::depth},
+                                    {"frame_buffer", &ref::BufferUses::frame, &BufferBits::frame},
+                                    {"pixel_buffer", &ref::BufferUses::pixel, &BufferBits::pixel},
+                                    {"index_buffer", &ref::BufferUses::index, &BufferBits::index},
+                                    {"visibility_database", &ref::BufferUses::visibility, &BufferBits::visibility},
+                                    {"shading_database", &ref::BufferUses::shading, &BufferBits::shading}};
+
+// Bits of a frame's memories: two banks of I-buffer and TdbS, one of Z-buffer or TdbV. A buffer has whole stamps, a database as many
+// entries as its address tells apart.
+struct MemoryBits {
+  std::uint64_t index, depth, shading, visibility;
+  std::uint64_t total() const { return index + depth + shading + visibility; }
+};
+MemoryBits memory_bits(const Config&, int lanes_x = 1, int lanes_y = 1);
+
+}  // namespace halfspace::vectors
+
+#endif  // HALFSPACE_VECTORS_MEMORIES_HPP_
