@@ -131,7 +131,7 @@ void render(const Options& options) {
                        "take --engine ref for the rest");
     }
     if (!options.shading.empty() || !options.texture.empty()) {
-      throw ref::Error("--shading, --texture: the kernels have the shading of their configuration, and no textures: take --engine ref");
+      throw ref::Error("--shading, --texture: the kernels have the shading and the texture of their configuration: name one with --config, or take --engine ref");
     }
     Config numbers = loaded.configuration.config();
     numbers.architecture = options.architecture == "gamma" ? Architecture::kGamma : Architecture::kDelta;
