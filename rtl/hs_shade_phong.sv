@@ -65,98 +65,61 @@ module hs_shade_phong #(
 
   logic go;  // the stages before the lighting core move
 
-  // --- Pick: the stamp, and its lanes that are not lit yet ---
-  logic stamp_valid_q, stamp_first_q, covered, last, unused_index;
-  hs_formats_pkg::scan_head_t stamp_head_q;
-  logic [HeadBits-1:0] scan_head;
-  logic [Lanes*IndexBits-1:0] scan_index, stamp_index_q;
-  logic [Lanes-1:0] scan_waits, waits_q, others;
-  logic [LaneBits-1:0] lane;
-  hs_formats_pkg::index_t index;
-  logic bank_q;
-
-  assign {scan_head, scan_index} = scan_i;
-  assign scan_ready_o = go && (!stamp_valid_q || last);
-
-  for (genvar i = 0; i < Lanes; i++) begin : gen_pick
-    assign scan_waits[i] = scan_index[i*IndexBits +: IndexBits] != '0;
-  end
-
-  // The first lane that waits.
-  always_comb begin
-    lane = '0;
-    for (int unsigned i = 1; i <= Lanes; i++) begin
-      if (waits_q[Lanes-i]) lane = LaneBits'(Lanes - i);
-    end
-    index = '0;
-    others = waits_q;
-    for (int unsigned i = 0; i < Lanes; i++) begin
-      if (lane == LaneBits'(i)) begin
-        index = stamp_index_q[i*IndexBits +: IndexBits];
-        others[i] = 1'b0;
-      end
-    end
-  end
-  assign covered = waits_q != '0;
-  assign last = others == '0;
-  assign unused_index = ^index;  // a power of two of entries has a bit less
-
   // --- A pixel: stage 0 is read, 1 is data, 2 and on are the planes ---
-  logic [Stages-1:0] valid_q;
-  logic [Stages*TagBits-1:0] tags_q;
+  logic [Stages-1:0] valid;
+  logic [Stages-1:1] valid_q;
+  logic [TagBits-1:0] read_tag;
+  logic [(Stages-1)*TagBits-1:0] tags_q;  // from stage 1 on
   logic [PlaneStages*MaterialBits-1:0] materials_q;
-  logic read_bank_q;
-  logic [EntryBits-1:0] read_entry_q;
-  logic unused_last;
-  logic [XBits-1:0] data_x;
-  logic [YBits-1:0] data_y;
-  logic [LaneBits-1:0] data_lane;
-  hs_formats_pkg::x_t x;
-  hs_formats_pkg::y_t y;
+  logic read_covered, read_first, read_last;
+  logic [LaneBits-1:0] read_lane;
+  logic [HeadBits-1:0] read_head;
+  hs_formats_pkg::x_t read_x, x_q;
+  hs_formats_pkg::y_t read_y, y_q;
   logic [3*NormalBits-1:0] normal;
   logic normal_ready;
 
-  assign go = !valid_q[Stages-1] || normal_ready;
+  assign go = !valid[Stages-1] || normal_ready;
+
+  hs_scan_pixels #(
+    .LanesX(LanesX),
+    .LanesY(LanesY)
+  ) u_pixels (
+    .clk_i       (clk_i),
+    .rst_ni      (rst_ni),
+    .en_i        (go),
+    .scan_valid_i(scan_valid_i),
+    .scan_ready_o(scan_ready_o),
+    .scan_i      (scan_i),
+    .valid_o     (valid[0]),
+    .covered_o   (read_covered),
+    .first_o     (read_first),
+    .last_o      (read_last),
+    .lane_o      (read_lane),
+    .head_o      (read_head),
+    .x_o         (read_x),
+    .y_o         (read_y),
+    .bank_o      (read_bank_o),
+    .entry_o     (read_entry_o)
+  );
+  assign valid[Stages-1:1] = valid_q;
+  assign read_tag = {read_covered, read_first, read_last, read_lane, read_head};
+  assign read_en_o = go && valid[0] && read_covered;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
-    if (!rst_ni) begin
-      stamp_valid_q <= 1'b0;
-      bank_q <= 1'b0;
-      valid_q <= '0;
-    end else if (go) begin
-      if (scan_ready_o) stamp_valid_q <= scan_valid_i;
-      if (stamp_valid_q && last && stamp_head_q.last) bank_q <= !bank_q;
-      valid_q <= {valid_q[Stages-2:0], stamp_valid_q};
-    end
+    if (!rst_ni) valid_q <= '0;
+    else if (go) valid_q <= valid[Stages-2:0];
   end
 
   always_ff @(posedge clk_i) begin
-    if (scan_valid_i && scan_ready_o) begin
-      stamp_head_q <= scan_head;
-      stamp_index_q <= scan_index;
-      waits_q <= scan_waits;
-      stamp_first_q <= 1'b1;
-    end else if (go) begin
-      waits_q <= others;
-      stamp_first_q <= 1'b0;
-    end
     if (go) begin
-      tags_q <= {tags_q[(Stages-1)*TagBits-1:0], covered, stamp_first_q, last, lane, stamp_head_q};
+      tags_q <= {tags_q[(Stages-2)*TagBits-1:0], read_tag};
       materials_q <= {materials_q[(PlaneStages-1)*MaterialBits-1:0],
                       read_planes_i[9*PlaneBits +: MaterialBits]};
-      read_bank_q <= bank_q;
-      read_entry_q <= EntryBits'(index) - EntryBits'(1);
+      x_q <= read_x;
+      y_q <= read_y;
     end
   end
-
-  assign read_en_o = go && valid_q[0] && tags_q[TagBits-1];
-  assign read_bank_o = read_bank_q;
-  assign read_entry_o = read_entry_q;
-
-  // The pixel of a lane: its number is x and y in the stamp side by side.
-  assign {data_lane, unused_last, data_x, data_y} = tags_q[TagBits +: LaneBits+HeadBits];
-  assign x = XBits'(data_x << $clog2(LanesX)) | (XBits'(data_lane) & XBits'(LanesX - 1));
-  assign y = YBits'(data_y << $clog2(LanesY)) | (YBits'(data_lane) >> $clog2(LanesX));
 
   // Planes and components 2, 1, 0 are x, y, z. Their values are offset: the sign is inverted.
   for (genvar i = 0; i < 3; i++) begin : gen_plane
@@ -173,8 +136,8 @@ module hs_shade_phong #(
       .plane_i   (read_planes_i[(3*i+2)*PlaneBits +: PlaneBits]),
       .plane_dx_i(read_planes_i[(3*i+1)*PlaneBits +: PlaneBits]),
       .plane_dy_i(read_planes_i[3*i*PlaneBits +: PlaneBits]),
-      .x_i       (x),
-      .y_i       (y),
+      .x_i       (x_q),
+      .y_i       (y_q),
       .first_o   (unused_first),
       .value_o   (offset)
     );
@@ -195,9 +158,9 @@ module hs_shade_phong #(
     .light_i          (light_i),
     .material_valid_i (material_valid_i),
     .material_i       (material_i),
-    .normal_valid_i   (valid_q[Stages-1]),
+    .normal_valid_i   (valid[Stages-1]),
     .normal_ready_o   (normal_ready),
-    .normal_tag_i     (tags_q[(Stages-1)*TagBits +: TagBits]),
+    .normal_tag_i     (tags_q[(Stages-2)*TagBits +: TagBits]),
     .normal_material_i(materials_q[(PlaneStages-1)*MaterialBits +: MaterialBits]),
     .normal_i         (normal),
     .colour_valid_o   (colour_valid),

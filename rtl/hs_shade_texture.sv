@@ -78,102 +78,61 @@ module hs_shade_texture #(
   logic go;      // the stages before the product move
   logic go_out;  // the product and what follows
 
-  // --- Pick: the stamp, and its lanes that have not had their turn ---
-  logic stamp_valid_q, stamp_first_q, covered, last, unused_index;
-  hs_formats_pkg::scan_head_t stamp_head_q;
-  logic [HeadBits-1:0] scan_head;
-  logic [Lanes*IndexBits-1:0] scan_index, stamp_index_q;
-  logic [Lanes-1:0] scan_waits, waits_q, others;
-  logic [LaneBits-1:0] lane;
-  hs_formats_pkg::index_t index;
-  logic bank_q;
-
-  assign {scan_head, scan_index} = scan_i;
-  assign scan_ready_o = go && (!stamp_valid_q || last);
-
-  for (genvar i = 0; i < Lanes; i++) begin : gen_pick
-    assign scan_waits[i] = scan_index[i*IndexBits +: IndexBits] != '0;
-  end
-
-  // The first lane that waits.
-  always_comb begin
-    lane = '0;
-    for (int unsigned i = 1; i <= Lanes; i++) begin
-      if (waits_q[Lanes-i]) lane = LaneBits'(Lanes - i);
-    end
-    index = '0;
-    others = waits_q;
-    for (int unsigned i = 0; i < Lanes; i++) begin
-      if (lane == LaneBits'(i)) begin
-        index = stamp_index_q[i*IndexBits +: IndexBits];
-        others[i] = 1'b0;
-      end
-    end
-  end
-  assign covered = waits_q != '0;
-  assign last = others == '0;
-  assign unused_index = ^index;  // a power of two of entries has a bit less
-
   // --- A pixel: stage 0 is read, 1 is data, 2 and on are the planes ---
-  logic [Stages-1:0] valid_q;
-  logic [Stages*PlaceBits-1:0] places_q;
-  logic [1:0] covered_q;
-  logic [2*(XBits+YBits)-1:0] stamps_q;
+  logic [Stages-1:0] valid;
+  logic [Stages-1:1] valid_q;
+  logic [(Stages-1)*PlaceBits-1:0] places_q;  // from stage 1 on
   logic [PlaneStages*NumberBits-1:0] numbers_q;
-  logic read_bank_q;
-  logic [EntryBits-1:0] read_entry_q;
-  logic [XBits-1:0] data_x;
-  logic [YBits-1:0] data_y;
-  logic [LaneBits-1:0] data_lane;
+  logic read_covered, read_first, read_last, data_covered_q, unused_head;
+  logic [LaneBits-1:0] read_lane;
+  logic [HeadBits-1:0] read_head;
+  hs_formats_pkg::x_t read_x, x_q;
+  hs_formats_pkg::y_t read_y, y_q;
   logic [TextureBits-1:0] data_texture;
   logic [RepeatBits-1:0] data_repeat;
-  hs_formats_pkg::x_t x;
-  hs_formats_pkg::y_t y;
   logic [Channels*CoordinateBits-1:0] coordinates;
 
+  hs_scan_pixels #(
+    .LanesX(LanesX),
+    .LanesY(LanesY)
+  ) u_pixels (
+    .clk_i       (clk_i),
+    .rst_ni      (rst_ni),
+    .en_i        (go),
+    .scan_valid_i(scan_valid_i),
+    .scan_ready_o(scan_ready_o),
+    .scan_i      (scan_i),
+    .valid_o     (valid[0]),
+    .covered_o   (read_covered),
+    .first_o     (read_first),
+    .last_o      (read_last),
+    .lane_o      (read_lane),
+    .head_o      (read_head),
+    .x_o         (read_x),
+    .y_o         (read_y),
+    .bank_o      (read_bank_o),
+    .entry_o     (read_entry_o)
+  );
+  assign valid[Stages-1:1] = valid_q;
+  assign unused_head = ^read_head;  // that of `lit` is the same
+  assign read_en_o = go && valid[0] && read_covered;
+  assign {data_texture, data_repeat} = read_planes_i[PlanesBits-1 -: TextureBits+RepeatBits];
+
   always_ff @(posedge clk_i or negedge rst_ni) begin
-    if (!rst_ni) begin
-      stamp_valid_q <= 1'b0;
-      bank_q <= 1'b0;
-      valid_q <= '0;
-    end else if (go) begin
-      if (scan_ready_o) stamp_valid_q <= scan_valid_i;
-      if (stamp_valid_q && last && stamp_head_q.last) bank_q <= !bank_q;
-      valid_q <= {valid_q[Stages-2:0], stamp_valid_q};
-    end
+    if (!rst_ni) valid_q <= '0;
+    else if (go) valid_q <= valid[Stages-2:0];
   end
 
   always_ff @(posedge clk_i) begin
-    if (scan_valid_i && scan_ready_o) begin
-      stamp_head_q <= scan_head;
-      stamp_index_q <= scan_index;
-      waits_q <= scan_waits;
-      stamp_first_q <= 1'b1;
-    end else if (go) begin
-      waits_q <= others;
-      stamp_first_q <= 1'b0;
-    end
     if (go) begin
-      places_q <= {places_q[(Stages-1)*PlaceBits-1:0], stamp_first_q, last, lane};
-      covered_q <= {covered_q[0], covered};
-      stamps_q <= {stamps_q[XBits+YBits-1:0], stamp_head_q.x, stamp_head_q.y};
-      numbers_q <= {numbers_q[(PlaneStages-1)*NumberBits-1:0], covered_q[1] && data_texture != '0,
+      places_q <= {places_q[(Stages-2)*PlaceBits-1:0], read_first, read_last, read_lane};
+      data_covered_q <= read_covered;
+      x_q <= read_x;
+      y_q <= read_y;
+      numbers_q <= {numbers_q[(PlaneStages-1)*NumberBits-1:0], data_covered_q && data_texture != '0,
                     data_texture, data_repeat};
-      read_bank_q <= bank_q;
-      read_entry_q <= EntryBits'(index) - EntryBits'(1);
     end
   end
-
-  assign read_en_o = go && valid_q[0] && covered_q[0];
-  assign read_bank_o = read_bank_q;
-  assign read_entry_o = read_entry_q;
-
-  // The pixel of a lane: its number is x and y in the stamp side by side.
-  assign {data_x, data_y} = stamps_q[XBits+YBits +: XBits+YBits];
-  assign data_lane = places_q[PlaceBits +: LaneBits];
-  assign x = XBits'(data_x << $clog2(LanesX)) | (XBits'(data_lane) & XBits'(LanesX - 1));
-  assign y = YBits'(data_y << $clog2(LanesY)) | (YBits'(data_lane) >> $clog2(LanesX));
-  assign {data_texture, data_repeat} = read_planes_i[PlanesBits-1 -: TextureBits+RepeatBits];
 
   // The last planes and coordinates are those of t or q.
   for (genvar i = 0; i < Channels; i++) begin : gen_plane
@@ -189,8 +148,8 @@ module hs_shade_texture #(
       .plane_i   (read_planes_i[(3*i+2)*PlaneBits +: PlaneBits]),
       .plane_dx_i(read_planes_i[(3*i+1)*PlaneBits +: PlaneBits]),
       .plane_dy_i(read_planes_i[3*i*PlaneBits +: PlaneBits]),
-      .x_i       (x),
-      .y_i       (y),
+      .x_i       (x_q),
+      .y_i       (y_q),
       .first_o   (unused_first),
       .value_o   (coordinates[i*CoordinateBits +: CoordinateBits])
     );
@@ -215,8 +174,8 @@ module hs_shade_texture #(
     .texture_i      (texture_i),
     .texel_valid_i  (texel_valid_i),
     .texel_i        (texel_i),
-    .valid_i        (valid_q[Stages-1]),
-    .tag_i          ({has_texture, places_q[(Stages-1)*PlaceBits +: PlaceBits]}),
+    .valid_i        (valid[Stages-1]),
+    .tag_i          ({has_texture, places_q[(Stages-2)*PlaceBits +: PlaceBits]}),
     .number_i       (texture),
     .repeat_i       (repeats),
     .coordinates_i  (coordinates),
