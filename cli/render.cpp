@@ -91,7 +91,7 @@ ref::Frame draw_by(const Options& options, const LoadedScene& loaded, Counts& co
   } else {
     scene = ref::load_scene(options.input.scene, options.input.time, !options.texture.empty());
     geometry.emplace(*scene, ref::View{list.width, list.height, list.format.range_bits, list.format.subpixel_bits});
-    const std::string given = list.format.flat ? "flat" : "gouraud";
+    const std::string given = vectors::shading_name(loaded.configuration.config().shading);
     surface = ref::lit_surface(*geometry, list, kind_of(ref::kShadingModes, options.shading.empty() ? given : options.shading));
     if (!options.texture.empty()) {
       const ref::TextureMode mode{options.texture == "nearest" ? ref::TextureFilter::kNearest : ref::TextureFilter::kBilinear,

@@ -3,7 +3,7 @@
 
 namespace halfspace::tb {
 
-const char* const kCountedStreams[5] = {"visible", "stamp", "update", "scan", "planes"};
+const char* const kCountedStreams[6] = {"visible", "stamp", "update", "scan", "planes", "colours"};
 
 namespace {
 
@@ -28,6 +28,12 @@ Rates count_rates(const Vectors& vectors, const std::map<std::string, Words>& re
   rates.fragments = lanes_set(vectors, received, "stamp", "mask");
   rates.reduced_fragments = lanes_set(vectors, received, "update", "mask");
   rates.visible_pixels = lanes_set(vectors, received, "scan", "index");
+  rates.lights = vectors.find("normals") != nullptr;
+  if (const Stream* const colours = vectors.find("colours")) {
+    rates.lightings = lanes_set(vectors, received, "colours", "index") * (colours->find("r0") ? 3 : 1);
+  } else if (rates.lights) {
+    rates.lightings = rates.visible_pixels;
+  }
   return rates;
 }
 

@@ -15,10 +15,12 @@ struct Rates {
   std::uint64_t triangles = 0, reduced_triangles = 0;  // done; with a fragment that passed the Z-test
   std::uint64_t fragments = 0, reduced_fragments = 0;  // covered; that passed
   std::uint64_t visible_pixels = 0;                    // that show a triangle
+  bool lights = false;
+  std::uint64_t lightings = 0;  // of a vertex, of a triangle if it has one colour, or of a pixel
 };
 
 // The streams that tell them, and what is read and written.
-extern const char* const kCountedStreams[5];
+extern const char* const kCountedStreams[6];
 // Of the words received, by stream; one that is not there counts nothing.
 Rates count_rates(const Vectors& vectors, const std::map<std::string, Words>& received);
 

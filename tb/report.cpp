@@ -98,6 +98,7 @@ std::string json_report(const Vectors& vectors, const Options& options, const st
                       {"fragments", result.rates.fragments},
                       {"reduced_fragments", result.rates.reduced_fragments},
                       {"visible_pixels", result.rates.visible_pixels}};
+      if (result.rates.lights) run["rates"]["lightings"] = result.rates.lightings;
       std::uint64_t total = 0;
       for (const Accesses& a : result.accesses) {
         run["buffers"][a.buffer] = {{"entry_bits", a.entry_bits},

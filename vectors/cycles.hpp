@@ -5,7 +5,7 @@
 // The kernels tell what a frame asks of each unit: stamps visited, triangles in a stamp. The model moves triangles, not
 // clock edges: each unit takes what it offers after its interval and latency, waits for the one before it and for room in
 // the queue behind it (rtl/hs_pipeline.sv), as in the comments of rtl/hs_*.sv. Frames follow each other at once. Held to
-// the co-simulation in tests/sweep_test.py.
+// the co-simulation in tests/cosim_test.py.
 #ifndef HALFSPACE_VECTORS_CYCLES_HPP_
 #define HALFSPACE_VECTORS_CYCLES_HPP_
 

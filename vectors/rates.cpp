@@ -20,7 +20,18 @@ ref::Rates count_rates(Engine& engine, const ref::SnappedList& scene) {
                                    {"stamp", "mask", &ref::Rates::fragments},
                                    {"update", "mask", &ref::Rates::reduced_fragments},
                                    {"scan", "index", &ref::Rates::visible_pixels}};
+  bool normals = false, colours = false;
+  std::uint64_t lit = 0;
   engine.capture(scene, [&](const Layout& layout, const Word* words, std::size_t count) {
+    normals = normals || layout.stream == "normals";
+    if (layout.stream == "colours") {
+      const auto find = [&](const char* name) {
+        return std::find_if(layout.fields.begin(), layout.fields.end(), [&](const Field& f) { return f.name == name; });
+      };
+      colours = true;
+      const int vertices = find("r0") != layout.fields.end() ? 3 : 1;
+      for (std::size_t n = 0; n < count; ++n) lit += field_value(words[n], *find("index")) != 0 ? vertices : 0;
+    }
     for (const Counter& counter : kCounters) {
       if (layout.stream != counter.stream) continue;
       const auto field = std::find_if(layout.fields.begin(), layout.fields.end(), [&](const Field& f) { return f.name == counter.field; });
@@ -29,6 +40,7 @@ ref::Rates count_rates(Engine& engine, const ref::SnappedList& scene) {
       }
     }
   });
+  if (normals) rates.lightings = colours ? lit : rates.visible_pixels;
   rates.pixels = std::uint64_t(scene.width) * scene.height;
   return rates;
 }

@@ -8,7 +8,7 @@
 
 namespace halfspace::vectors {
 
-// Triangles, fragments and visible pixels; what is not in a stream stays 0. Takes a rendering.
+// Triangles, fragments, visible pixels, and with lighting its operations; what is not in a stream stays 0. Takes a rendering.
 ref::Rates count_rates(Engine& engine, const ref::SnappedList& scene);
 
 }  // namespace halfspace::vectors
