@@ -19,6 +19,7 @@
 #include "vectors/dump.hpp"
 #include "vectors/engine.hpp"
 #include "vectors/rates.hpp"
+#include "vectors/texture.hpp"
 
 namespace halfspace::cli {
 namespace {
@@ -90,6 +91,10 @@ ref::Frame draw_by(const Options& options, const LoadedScene& loaded, Counts& co
     surface = ref::given_surface(list);
   } else {
     scene = ref::load_scene(options.input.scene, options.input.time, !options.texture.empty());
+    // As the kernels would have them.
+    if (const Config config = loaded.configuration.config(); !options.texture.empty() && has_texture(config)) {
+      for (const std::string& warning : vectors::fit_textures(*scene, config)) fmt::print(stderr, "warning: {}\n", warning);
+    }
     geometry.emplace(*scene, ref::View{list.width, list.height, list.format.range_bits, list.format.subpixel_bits});
     const std::string given = vectors::shading_name(loaded.configuration.config().shading);
     surface = ref::lit_surface(*geometry, list, kind_of(ref::kShadingModes, options.shading.empty() ? given : options.shading));

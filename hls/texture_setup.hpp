@@ -26,7 +26,7 @@ void texture_setup(Stream<Attributes<F>>& attributes, Stream<TextureCoordinates<
     const PlaneBase<F> base = frame_base(in);
     const VertexOrder order = vertex_order(in);
     const typename F::Coordinate* const component[3] = {given.s, given.t, given.q};
-Components:
+  Components:
     for (int i = 0; i < (F::kPerspective ? 3 : 2); ++i) {
       const auto plane = plane_setup<F, typename F::CoordinateChannel>(
           base, component[i][order.vertex[0]], component[i][order.vertex[1]], component[i][order.vertex[2]]);

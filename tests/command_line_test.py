@@ -54,6 +54,16 @@ class CommandLine(unittest.TestCase):
             text = self.good(*command, "--help")
             self.assertGreater(len(text.splitlines()), 5)
 
+    def test_textures_that_do_not_fit_are_scaled_with_a_warning(self):
+        for name, scaled in (("textured_low", True), ("textured_high", False), ("lit_low", False)):
+            config = pathlib.Path(__file__).with_name("configs") / f"{name}.toml"
+            result = run("render", MODELS / "Collada" / "duck.dae", "--config", config, "--engine", "ref", "--texture", "nearest")
+            self.assertEqual(result.returncode, 0, result.stderr)
+            if scaled:
+                self.assertRegex(result.stderr, r"^warning: .*: 512x512 texels are scaled to 64x64: configuration textured_low has 4096")
+            else:
+                self.assertEqual(result.stderr, "")
+
     def test_render_writes_picture_dump_and_numbers(self):
         tri = self.file("a.tri", "size 40 30\n" + TRIANGLE)
         out, dump, numbers = self.folder / "a.png", self.folder / "dump", self.folder / "a.json"
