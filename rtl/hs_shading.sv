@@ -19,7 +19,8 @@ module hs_shading #(
   parameter int unsigned LanesY = 2,
   parameter int unsigned AttributesFifoDepth = 4,
   parameter int unsigned ColoursFifoDepth = 4,
-  parameter int unsigned ScanFifoDepth = 4,
+  // With texture all that shade_texture takes before it looks at `lit`.
+  parameter int unsigned ScanFifoDepth = hs_formats_pkg::HasTexture != 0 ? 32 : 4,
   parameter int unsigned TextureScanFifoDepth = 64,  // stamps on their way through the first shader
   localparam int unsigned Lanes = LanesX * LanesY,
   localparam int unsigned XBits = hs_formats_pkg::XBits,

@@ -19,3 +19,17 @@ add_test(NAME faults_texture COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/
   --work ${CMAKE_CURRENT_BINARY_DIR}/faults_texture --jobs 2 --library $<TARGET_FILE:halfspace_tb>
   --library $<TARGET_FILE:halfspace_verilated> --verilator ${HALFSPACE_VERILATOR} --cxx ${CMAKE_CXX_COMPILER})
 set_tests_properties(faults_texture PROPERTIES PROCESSORS 2 TIMEOUT 1800)
+
+# Multipliers: two a plane; perspective, one of the reciprocal and two with it; bilinear, three a channel; three of the product.
+# Memories: the table, and the texels in one bank or four.
+function(halfspace_texture_left name lanes multipliers memories)
+  set(package ${CMAKE_CURRENT_BINARY_DIR}/model_texture_units_${name}_${lanes}/hs_formats_pkg.sv)
+  file(GLOB units CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/rtl/hs_*.sv)
+  string(REPLACE ";" " " sources "${package};${units}")
+  add_test(NAME synthesis_${name} COMMAND ${HALFSPACE_YOSYS} -q -p
+    "read_verilog -sv ${sources}; hierarchy -check -top hs_shade_texture -chparam LanesX 2 -chparam LanesY 2; proc; opt; check -assert; flatten; opt; memory_collect; select -assert-count ${multipliers} t:$mul; select -assert-count ${memories} t:$mem_v2; select -assert-none t:$div t:$mod")
+endfunction()
+halfspace_texture_left(textured_low 4 7 2)
+halfspace_texture_left(textured_middle 4 21 5)
+halfspace_texture_left(textured_phong 1 16 5)
+halfspace_texture_left(textured_flat 16 12 2)
