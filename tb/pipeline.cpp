@@ -66,7 +66,7 @@ struct Geometry {
 };
 
 // Of the last frame.
-Bound bound_of(const Vectors& vectors, int setup_interval) {
+Bound bound_of(const Vectors& vectors, const Model& model, int setup_interval) {
   Bound bound;
   const std::size_t frame = vectors.frames.size() - 1;
   if (const Stream* const setup = vectors.find("setup")) {
@@ -77,7 +77,20 @@ Bound bound_of(const Vectors& vectors, int setup_interval) {
       bound.setup += empty.raw(setup->words[n]) ? 3 : std::uint64_t(setup_interval);
     }
   }
-  if (const Stream* const scan = vectors.find("scan")) bound.pixels = scan->frame_words[frame];
+  if (const Stream* const scan = vectors.find("scan")) {
+    bound.pixels = scan->frame_words[frame];
+    // Shaders that take a pixel after the other, and the lights of each; of background one of a stamp.
+    const int turns = model.constant("Phong") ? model.constant("Lights") : model.constant("HasTexture") ? 1 : 0;
+    const Field& index = scan->need("index", "the bound of cycles");
+    const Segment words = segment_of(*scan, {frame, ""});
+    std::uint64_t serial = 0;
+    for (std::size_t n = words.begin; n < words.end && turns != 0; ++n) {
+      std::uint64_t covered = 0;
+      for (int lane = 0; lane < index.count; ++lane) covered += index.raw(scan->words[n], lane) != 0;
+      serial += std::max<std::uint64_t>(covered, 1) * std::uint64_t(turns);
+    }
+    bound.pixels = std::max(bound.pixels, serial);
+  }
   if (const Stream* const stamp = vectors.find("stamp")) {
     const Field& mask = stamp->need("mask", "the bound of cycles");
     const Segment words = segment_of(*stamp, {frame, ""});
@@ -166,7 +179,7 @@ Result run_pipeline(Model* model, const Vectors& vectors, const Options& options
   bench.finish(&result);
   stopwatch.stop(&result);
   const int setup_interval = options.setup_interval ? options.setup_interval : model->constant("SetupInterval");
-  result.bound = bound_of(vectors, setup_interval);
+  result.bound = bound_of(vectors, *model, setup_interval);
   result.rates = count_rates(vectors, last->counted);
   const auto number = [&](const char* name) { return std::uint64_t(model->constant(name)); };
   result.accesses = count_accesses(vectors, last->counted, {number("MaxWidth"), number("MaxHeight"), number("Triangles")});

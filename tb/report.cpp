@@ -24,7 +24,7 @@ void print_bound(const Result& result) {
   if (result.bound.setup != 0) {
     std::printf("setup intervals of the triangles %llu, ", static_cast<unsigned long long>(result.bound.setup));
   }
-  std::printf("covered stamps %llu, stamps of the frame %llu)", static_cast<unsigned long long>(result.bound.stamps),
+  std::printf("covered stamps %llu, shader %llu)", static_cast<unsigned long long>(result.bound.stamps),
               static_cast<unsigned long long>(result.bound.pixels));
   std::printf(", measured %llu: %.3f x\n", static_cast<unsigned long long>(result.cycles),
               double(result.cycles) / double(result.bound.cycles()));
@@ -92,7 +92,7 @@ std::string json_report(const Vectors& vectors, const Options& options, const st
       run["bound"] = {{"cycles", result.bound.cycles()},
                       {"setup", result.bound.setup},
                       {"covered_stamps", result.bound.stamps},
-                      {"frame_stamps", result.bound.pixels}};
+                      {"shader", result.bound.pixels}};
       run["rates"] = {{"triangles", result.rates.triangles},
                       {"reduced_triangles", result.rates.reduced_triangles},
                       {"fragments", result.rates.fragments},

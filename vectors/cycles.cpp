@@ -131,9 +131,10 @@ class Pipeline {
   Cycle shade_free_ = 0, raster_free_ = 0, test_free_ = 0;
 };
 
-// Of the finished frame: its stamps, and for each stamp the different triangles in it, one for background alone.
+// Of the finished frame: its stamps, and for each stamp the different triangles in it, and its covered pixels, one for background
+// alone.
 struct ScanWork {
-  std::uint64_t stamps = 0, groups = 0;
+  std::uint64_t stamps = 0, groups = 0, pixels = 0;
 };
 
 ScanWork scan_work(const Engine& engine, const ref::Frame& frame) {
@@ -143,14 +144,17 @@ ScanWork scan_work(const Engine& engine, const ref::Frame& frame) {
   for (int y = 0; y < frame.height; y += lanes_y) {
     for (int x = 0; x < frame.width; x += lanes_x) {
       seen.clear();
+      std::uint64_t covered = 0;
       for (int j = y; j < std::min(y + lanes_y, frame.height); ++j) {
         for (int i = x; i < std::min(x + lanes_x, frame.width); ++i) {
           const std::uint32_t index = frame.index[std::size_t(j) * frame.width + i];
+          covered += index != 0;
           if (index != 0 && std::find(seen.begin(), seen.end(), index) == seen.end()) seen.push_back(index);
         }
       }
       ++work.stamps;
       work.groups += std::max<std::size_t>(seen.size(), 1);
+      work.pixels += std::max<std::uint64_t>(covered, 1);
     }
   }
   return work;
@@ -186,7 +190,8 @@ Cycles model_cycles(const Config& config, Engine& engine, const ref::SnappedList
     for (std::size_t k = 0; k < tests.size(); ++k) tests[k] = costs[k].cycles;
     for (const int count : tests) result.test += std::uint64_t(count);
   }
-  result.scan_out = scan.groups;
+  result.scan_out = is_phong(config) ? scan.pixels * std::uint64_t(config.lights) : scan.groups;
+  if (has_texture(config)) result.scan_out = std::max(result.scan_out, scan.pixels);
 
   Pipeline pipeline(config);
   std::vector<Cycle> pixel_done;
@@ -194,7 +199,7 @@ Cycles model_cycles(const Config& config, Engine& engine, const ref::SnappedList
   for (int n = 0; n < frames; ++n) {
     const Cycle open = n < 2 ? 0 : pixel_done[n - 2] + 1;
     const Cycle start = std::max(pipeline.draw(open, triangles, visits, tests), scan_free);
-    shade_free = std::max(start + 2, shade_free) + Cycle(scan.groups);
+    shade_free = std::max(start + 2, shade_free) + Cycle(result.scan_out);
     scan_free = std::max(start + 2 + Cycle(scan.stamps), shade_free - Cycle(kScanQueue));
     constexpr Cycle kToPixel = 9;
     pixel_done.push_back(shade_free + kToPixel);
