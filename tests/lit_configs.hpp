@@ -29,7 +29,7 @@ struct PhongLow {
 };
 struct PhongMiddle {
   static constexpr Config config() {
-    return {"phong_middle", 640, 480, 16384, 11, 8, 24, 8, 26, 14, 0, 4, Shading::kPhong, Architecture::kDelta, 11, 2, 8, 32, 15};
+    return {"phong_middle", 640, 480, 16384, 11, 8, 24, 8, 26, 14, 0, 4, Shading::kPhong, Architecture::kDelta, 11, 2, 16, 512, 15};
   }
 };
 struct PhongHigh {
