@@ -146,7 +146,7 @@ class Area(unittest.TestCase):
         self.bad("--package", ROOT / "LICENSE", words=["LICENSE", "not a package"])
         self.bad("--package", LOW, "--lanes", "3", words=["lanes", "not 3"])
         self.bad("--package", LOW, "--targets", "gowin", words=["gowin", "ecp5"])
-        self.bad("--alone", f"{LOW}:light_vertex", words=["light_vertex", "lighting"])
+        self.bad("--alone", f"{LOW}:light_vertex", words=["light_vertex", "another"])
         self.bad("--alone", f"{LOW}:no_unit", words=["no_unit", "shade_phong"])
         self.bad("--package", LOW, "--markdown", ROOT / "LICENSE", words=["LICENSE", "begin"])
         self.bad("--package", LOW, "--yosys", self.folder / "no_yosys", words=["no_yosys"])

@@ -15,7 +15,7 @@ import sys
 
 sys.dont_write_bytecode = True  # no __pycache__ between the sources
 import report
-from design import COMPOSITION, LANES, OTHERS, UNITS, elaborate, elaborate_alone
+from design import COMPOSITION, LANES, UNITS, elaborate, elaborate_alone
 from jobs import Runner
 from rows import PIPELINE, buffers, measured
 from targets import TARGETS
@@ -34,7 +34,7 @@ def alone(text):
     """FILE:UNIT,… or FILE@1,4:UNIT,…"""
     file, _, units = text.rpartition(":")
     path, lanes = point(file)
-    return path, lanes, names_of([*UNITS, *OTHERS])(units)
+    return path, lanes, names_of(UNITS)(units)
 
 
 def lane_number(text):
@@ -70,7 +70,7 @@ def arguments():
     parser.add_argument("--package", type=point, action="append", metavar="FILE[@LANES,…]",
                         help="formats package, of `halfspace package`; may be repeated (default: low, middle, high)")
     parser.add_argument("--alone", type=alone, action="append", default=[], metavar="FILE[@LANES,…]:UNIT,…",
-                        help=f"these units of another package, without its pipeline: {', '.join([*UNITS, *OTHERS])}; may be "
+                        help=f"these units of another package, without its pipeline: {', '.join(UNITS)}; may be "
                         "repeated")
     parser.add_argument("--lanes", type=lane_number, default=1, help="of packages that name none (default: 1)")
     parser.add_argument("--targets", type=names_of(list(TARGETS)), default="all", help=f"{','.join(TARGETS)} or all")

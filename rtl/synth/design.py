@@ -14,9 +14,8 @@ import tempfile
 from rtlil import TOP, canonical, memories, module, ports
 from tools import AreaError, run, say
 
-UNITS = ("triangle_setup", "shade_setup", "raster_pineda", "ztest_index", "ztest_plane", "scan_index", "shade_gouraud")
-# Units that other configurations have, measured alone.
-OTHERS = ("light_vertex", "phong_setup", "shade_phong")
+UNITS = ("triangle_setup", "light_vertex", "shade_setup", "phong_setup", "raster_pineda", "ztest_index", "ztest_plane", "scan_index",
+         "shade_gouraud", "shade_phong")
 COMPOSITION = "composition"
 # Memories of the frame, which an FPGA may hold elsewhere: they are counted in bits, not mapped.
 BUFFERS = ("depth_buffer", "visibility_database", "index_buffer", "shading_database")
@@ -62,23 +61,38 @@ def elaborate_alone(yosys, rtl, package, lanes, units):
     """The Design of these units alone, without hs_pipeline and the memories of the frame."""
     package, rtl = pathlib.Path(package), pathlib.Path(rtl).resolve()
     text, config, title = opened(package, lanes)
-    given, parts = {unit: values(text, unit, title) for unit in units}, {}
-    say(f"{title}: elaboration")
     for unit in units:
-        bodies = flatten(yosys, rtl, package, f"hs_{unit}", lanes, title, values=given[unit])
-        parts[unit] = part(unit, bodies, next(name for name in bodies if f"hs_{unit}" in name))
+        if not in_pipeline(unit, text):
+            raise AreaError(f"{title}: its configuration has no {unit}: take another, or leave the unit out")
+    say(f"{title}: elaboration")
+    parts = {unit: unit_alone(yosys, rtl, package, lanes, title, text, unit) for unit in units}
     return Design(str(package), config, lanes, parts, {}, alone=True)
 
 
-def values(text, unit, title):
+def unit_alone(yosys, rtl, package, lanes, title, text, unit):
+    """A unit with nothing read but what it stands on: how Yosys names and orders depends on all that it has read before."""
+    bodies = flatten(yosys, rtl, package, f"hs_{unit}", lanes, title, values=values(text, unit))
+    return part(unit, bodies, next(name for name in bodies if re.fullmatch(rf"(.*\\)?hs_{unit}", name)))
+
+
+def constants(text):
+    """{name: number} of a package."""
+    return {name: int(number) for name, number in re.findall(r"localparam int unsigned (\w+) = (\d+);", text)}
+
+
+def in_pipeline(unit, text):
+    """Whether the pipeline of the package has the unit."""
+    found = constants(text)
+    lights, phong, gamma = found.get("Lights", 0), found.get("Phong", 0), found["HasDepth"] and not found["StoresDepth"]
+    return {"ztest_index": not gamma, "ztest_plane": gamma, "light_vertex": lights and not phong, "phong_setup": phong, "shade_phong": phong,
+            "shade_setup": not phong, "shade_gouraud": not phong}.get(unit, True)
+
+
+def values(text, unit):
     """Of the parameters that have no defaults: {name: value}, from the package."""
-    found = dict(re.findall(r"localparam int unsigned (\w+) = (\d+);", text))
-    needs = {"light_vertex": "Lights", "phong_setup": "NormalPlaneBits", "shade_phong": "NormalPlaneBits"}
-    if needs.get(unit, "HasDepth") not in found:
-        raise AreaError(f"{title}: its configuration has no {unit}: take one with lighting, or leave the unit out")
-    if unit == "light_vertex":
-        return {"Vertices": 3 if found["Gouraud"] == "1" else 1}
-    return {"NormalBits": found["NormalBits"]} if unit == "phong_setup" else {}
+    found = constants(text)
+    return {"light_vertex": lambda: {"Vertices": 3 if found["Gouraud"] else 1},
+            "phong_setup": lambda: {"NormalBits": found["NormalBits"]}}.get(unit, dict)()
 
 
 def elaborate(yosys, rtl, package, lanes, units):
@@ -86,15 +100,7 @@ def elaborate(yosys, rtl, package, lanes, units):
     package, rtl = pathlib.Path(package), pathlib.Path(rtl).resolve()
     text, config, title = opened(package, lanes)
     say(f"{title}: elaboration")
-    # One of the two Z-tests is there: ztest_plane has depth and no Z-buffer.
-    planes = re.search(r" HasDepth = 1;", text) and re.search(r" StoresDepth = 0;", text)
-    units = [unit for unit in units if unit != ("ztest_index" if planes else "ztest_plane")]
-    # A unit is elaborated alone, with nothing read but what it stands on: how Yosys names and orders depends on all that
-    # it has read before.
-    parts = {}
-    for unit in units:
-        bodies = flatten(yosys, rtl, package, f"hs_{unit}", lanes, title)
-        parts[unit] = part(unit, bodies, f"\\hs_{unit}")
+    parts = {unit: unit_alone(yosys, rtl, package, lanes, title, text, unit) for unit in units if in_pipeline(unit, text)}
     # A module of its own for each instance: no queue shares the module of a memory of the frame.
     keep = (f"uniquify; select -set memories {' '.join(f'hs_pipeline.*u_{name}*' for name in BUFFERS)} "
             f"{'%u ' * (len(BUFFERS) - 1)} A:hdlname=*hs_ram_1r1w %i; "
@@ -153,5 +159,5 @@ def part(name, bodies, top):
 
 def instance(module_name):
     """hs_pipeline.gen_depths.u_depth_buffer.gen_depth.u_ram: depth_buffer."""
-    named = re.search(r"\.u_(\w+)", module_name)
-    return named.group(1) if named else COMPOSITION
+    known = [name for name in re.findall(r"\.u_(\w+)", module_name) if name in UNITS or name in BUFFERS]
+    return known[-1] if known else COMPOSITION
