@@ -90,11 +90,9 @@ ref::Frame draw_by(const Options& options, const LoadedScene& loaded, Counts& co
     if (options.shading == "phong") throw ref::Error(options.input.scene + ": its triangles have colours and no normals: leave out --shading phong");
     surface = ref::given_surface(list);
   } else {
-    scene = ref::load_scene(options.input.scene, options.input.time, !options.texture.empty());
-    // As the kernels would have them.
-    if (const Config config = loaded.configuration.config(); !options.texture.empty() && has_texture(config)) {
-      for (const std::string& warning : vectors::fit_textures(*scene, config)) fmt::print(stderr, "warning: {}\n", warning);
-    }
+    // Textures of a configuration that has them are as it can hold them.
+    const Config config = loaded.configuration.config();
+    scene = has_texture(config) ? *loaded.scene : ref::load_scene(options.input.scene, options.input.time, !options.texture.empty());
     geometry.emplace(*scene, ref::View{list.width, list.height, list.format.range_bits, list.format.subpixel_bits});
     const std::string given = vectors::shading_name(loaded.configuration.config().shading);
     surface = ref::lit_surface(*geometry, list, kind_of(ref::kShadingModes, options.shading.empty() ? given : options.shading));
@@ -102,6 +100,8 @@ ref::Frame draw_by(const Options& options, const LoadedScene& loaded, Counts& co
       const ref::TextureMode mode{options.texture == "nearest" ? ref::TextureFilter::kNearest : ref::TextureFilter::kBilinear,
                                   options.mapping == "affine" ? ref::TextureMapping::kAffine : ref::TextureMapping::kPerspective};
       surface = ref::textured_surface(std::move(surface), *geometry, list, mode);
+    } else if (has_texture(config)) {
+      surface = ref::textured_surface(std::move(surface), *geometry, list, texture_mode(config));
     }
   }
   const Config config = loaded.configuration.config();
@@ -146,7 +146,7 @@ void render(const Options& options) {
   if (options.engine == "hls" && !options.json.empty()) {
     const Config config = loaded.configuration.config();
     const auto engine = kernels_of(loaded, lanes);
-    counts.rates = to_json(vectors::count_rates(*engine, scene));
+    counts.rates = to_json(vectors::count_rates(*engine, scene, loaded.configuration.config()));
     const vectors::Accesses accesses = vectors::count_accesses(config, *engine, scene);
     counts.buffers = to_json(accesses.needed, vectors::entry_bits(config), &accesses.words);
     memories = to_json(vectors::memory_bits(config, engine->lanes_x(), engine->lanes_y()));

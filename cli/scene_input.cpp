@@ -93,6 +93,11 @@ std::unique_ptr<vectors::Engine> kernels_of(const LoadedScene& loaded, int lanes
   return engine;
 }
 
+ref::TextureMode texture_mode(const Config& config) {
+  return {is_bilinear(config) ? ref::TextureFilter::kBilinear : ref::TextureFilter::kNearest,
+          has_perspective(config) ? ref::TextureMapping::kPerspective : ref::TextureMapping::kAffine};
+}
+
 ref::Frame reference_of(const LoadedScene& loaded) {
   const Config config = loaded.configuration.config();
   if ((!has_lighting(config) && !has_texture(config)) || !loaded.scene) return ref::render(loaded.list);
@@ -101,9 +106,7 @@ ref::Frame reference_of(const LoadedScene& loaded) {
   if (has_lighting(config) && !is_phong(config)) list = ref::distantly_lit(std::move(list), geometry, vectors::most_squarings(config));
   auto surface = is_phong(config) ? ref::lit_surface(geometry, list, ref::ShadingMode::kPhong) : ref::given_surface(list);
   if (has_texture(config)) {
-    const ref::TextureMode mode{is_bilinear(config) ? ref::TextureFilter::kBilinear : ref::TextureFilter::kNearest,
-                                has_perspective(config) ? ref::TextureMapping::kPerspective : ref::TextureMapping::kAffine};
-    surface = ref::textured_surface(std::move(surface), geometry, list, mode);
+    surface = ref::textured_surface(std::move(surface), geometry, list, texture_mode(config));
   }
   ref::Drawing drawing = ref::draw(list, *surface, ref::Architecture::kDelta);
   ref::Frame frame{list.width, list.height, std::move(drawing.triangle), std::move(drawing.depth), std::move(drawing.colour), {}, {}, {}};

@@ -9,6 +9,7 @@
 
 #include "ref/snap.hpp"
 #include "ref/scene.hpp"
+#include "ref/surface.hpp"
 #include "vectors/configuration.hpp"
 #include "vectors/engine.hpp"
 #include "vectors/lighting.hpp"
@@ -44,6 +45,9 @@ vectors::TextureFrame texture_of(const LoadedScene& loaded);
 
 // The kernels of its configuration, with its lighting and its textures if they take them.
 std::unique_ptr<vectors::Engine> kernels_of(const LoadedScene& loaded, int lanes);
+
+// As a configuration with texture draws it.
+ref::TextureMode texture_mode(const Config& config);
 
 // What the reference draws. If the kernels light, lights and viewer are at infinity.
 ref::Frame reference_of(const LoadedScene& loaded);

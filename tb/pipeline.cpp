@@ -180,7 +180,7 @@ Result run_pipeline(Model* model, const Vectors& vectors, const Options& options
   stopwatch.stop(&result);
   const int setup_interval = options.setup_interval ? options.setup_interval : model->constant("SetupInterval");
   result.bound = bound_of(vectors, *model, setup_interval);
-  result.rates = count_rates(vectors, last->counted);
+  result.rates = count_rates(vectors, last->counted, model->constant("Bilinear") ? 4 : 1);
   const auto number = [&](const char* name) { return std::uint64_t(model->constant(name)); };
   result.accesses = count_accesses(vectors, last->counted, {number("MaxWidth"), number("MaxHeight"), number("Triangles")});
   const std::vector<std::uint64_t>& ends = pixel->end_cycles();

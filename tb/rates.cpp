@@ -3,7 +3,7 @@
 
 namespace halfspace::tb {
 
-const char* const kCountedStreams[6] = {"visible", "stamp", "update", "scan", "planes", "colours"};
+const char* const kCountedStreams[7] = {"visible", "stamp", "update", "scan", "planes", "colours", "texture_planes"};
 
 namespace {
 
@@ -19,9 +19,31 @@ std::uint64_t lanes_set(const Vectors& vectors, const std::map<std::string, Word
   return count;
 }
 
+// Pixels of triangles that have a texture. An index stands for the triangle that was stored last.
+std::uint64_t textured_pixels(const Vectors& vectors, const std::map<std::string, Words>& received) {
+  const auto planes = received.find("texture_planes"), scan = received.find("scan");
+  if (planes == received.end() || scan == received.end()) return 0;
+  const auto field = [&](const char* stream, const char* name) -> const Field& { return vectors.find(stream)->need(name, "the data rates"); };
+  std::map<std::uint64_t, bool> has_texture;
+  for (std::size_t n = 0; n < planes->second.size(); ++n) {
+    const std::uint32_t* const word = planes->second[n];
+    if (field("texture_planes", "empty").raw(word)) continue;
+    has_texture[field("texture_planes", "index").raw(word)] = field("texture_planes", "texture").raw(word) != 0;
+  }
+  const Field& index = field("scan", "index");
+  std::uint64_t count = 0;
+  for (std::size_t n = 0; n < scan->second.size(); ++n) {
+    for (int lane = 0; lane < index.count; ++lane) {
+      const auto found = has_texture.find(index.raw(scan->second[n], lane));
+      count += found != has_texture.end() && found->second;
+    }
+  }
+  return count;
+}
+
 }  // namespace
 
-Rates count_rates(const Vectors& vectors, const std::map<std::string, Words>& received) {
+Rates count_rates(const Vectors& vectors, const std::map<std::string, Words>& received, int texels) {
   Rates rates;
   rates.triangles = lanes_set(vectors, received, "visible", "index");  // 0: a frame without triangles
   rates.reduced_triangles = lanes_set(vectors, received, "visible", "visible");
@@ -34,6 +56,8 @@ Rates count_rates(const Vectors& vectors, const std::map<std::string, Words>& re
   } else if (rates.lights) {
     rates.lightings = rates.visible_pixels;
   }
+  rates.textures = vectors.find("texture_planes") != nullptr;
+  rates.texture_fetches = textured_pixels(vectors, received) * std::uint64_t(texels);
   return rates;
 }
 

@@ -17,12 +17,14 @@ struct Rates {
   std::uint64_t visible_pixels = 0;                    // that show a triangle
   bool lights = false;
   std::uint64_t lightings = 0;  // of a vertex, of a triangle if it has one colour, or of a pixel
+  bool textures = false;
+  std::uint64_t texture_fetches = 0;  // texels
 };
 
 // The streams that tell them, and what is read and written.
-extern const char* const kCountedStreams[6];
-// Of the words received, by stream; one that is not there counts nothing.
-Rates count_rates(const Vectors& vectors, const std::map<std::string, Words>& received);
+extern const char* const kCountedStreams[7];
+// Of the words received, by stream; one that is not there counts nothing. A textured pixel takes `texels`.
+Rates count_rates(const Vectors& vectors, const std::map<std::string, Words>& received, int texels);
 
 }  // namespace halfspace::tb
 

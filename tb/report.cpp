@@ -99,6 +99,7 @@ std::string json_report(const Vectors& vectors, const Options& options, const st
                       {"reduced_fragments", result.rates.reduced_fragments},
                       {"visible_pixels", result.rates.visible_pixels}};
       if (result.rates.lights) run["rates"]["lightings"] = result.rates.lightings;
+      if (result.rates.textures) run["rates"]["texture_fetches"] = result.rates.texture_fetches;
       std::uint64_t total = 0;
       for (const Accesses& a : result.accesses) {
         run["buffers"][a.buffer] = {{"entry_bits", a.entry_bits},

@@ -58,7 +58,7 @@ def difference(args, one, options):
     architecture = "gamma" if "visibility_database" in buffers else "delta"
     for engine in ("ref", "hls"):
         found = counts(args, engine, options, architecture)
-        rates = {name: found["rates"][name] for name in (*COUNTED, *(["lightings"] if "lightings" in one["rates"] else []))}
+        rates = {name: found["rates"][name] for name in (*COUNTED, *(name for name in ("lightings", "texture_fetches") if name in one["rates"]))}
         if rates != one["rates"] or not rates["visible_pixels"]:
             return f"the rates differ: {engine} {rates}, RTL {one['rates']}"
         whole = engine == "hls"  # the reference has no memories, and so no words

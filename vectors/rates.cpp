@@ -2,14 +2,16 @@
 #include "vectors/rates.hpp"
 
 #include <algorithm>
+#include <map>
 #include <string>
 
 #include "vectors/field_value.hpp"
 
 namespace halfspace::vectors {
 
-ref::Rates count_rates(Engine& engine, const ref::SnappedList& scene) {
+ref::Rates count_rates(Engine& engine, const ref::SnappedList& scene, const Config& config) {
   ref::Rates rates;
+  const int texels_of_pixel = is_bilinear(config) ? 4 : 1;
   // Where the lanes, or the words, of a field are not 0.
   struct Counter {
     const char *stream, *field;
@@ -22,15 +24,31 @@ ref::Rates count_rates(Engine& engine, const ref::SnappedList& scene) {
                                    {"scan", "index", &ref::Rates::visible_pixels}};
   bool normals = false, colours = false;
   std::uint64_t lit = 0;
+  std::map<std::int64_t, bool> has_texture;  // of the triangle that an index stands for at scan-out
   engine.capture(scene, [&](const Layout& layout, const Word* words, std::size_t count) {
+    const auto field_of = [&](const char* name) -> const Field& {
+      return *std::find_if(layout.fields.begin(), layout.fields.end(), [&](const Field& f) { return f.name == name; });
+    };
     normals = normals || layout.stream == "normals";
     if (layout.stream == "colours") {
-      const auto find = [&](const char* name) {
-        return std::find_if(layout.fields.begin(), layout.fields.end(), [&](const Field& f) { return f.name == name; });
-      };
       colours = true;
-      const int vertices = find("r0") != layout.fields.end() ? 3 : 1;
-      for (std::size_t n = 0; n < count; ++n) lit += field_value(words[n], *find("index")) != 0 ? vertices : 0;
+      const int vertices = layout.fields.back().name == "b2" ? 3 : 1;
+      for (std::size_t n = 0; n < count; ++n) lit += field_value(words[n], field_of("index")) != 0 ? vertices : 0;
+    }
+    if (layout.stream == "texture_planes") {
+      for (std::size_t n = 0; n < count; ++n) {
+        if (field_value(words[n], field_of("empty")) != 0) continue;
+        has_texture[field_value(words[n], field_of("index"))] = field_value(words[n], field_of("texture")) != 0;
+      }
+    }
+    if (layout.stream == "scan" && !has_texture.empty()) {
+      const Field& index = field_of("index");
+      for (std::size_t n = 0; n < count; ++n) {
+        for (int lane = 0; lane < index.count; ++lane) {
+          const auto found = has_texture.find(field_value(words[n], index, lane));
+          if (found != has_texture.end() && found->second) rates.texture_fetches += std::uint64_t(texels_of_pixel);
+        }
+      }
     }
     for (const Counter& counter : kCounters) {
       if (layout.stream != counter.stream) continue;

@@ -9,7 +9,7 @@
 namespace halfspace::vectors {
 
 // Triangles, fragments, visible pixels, and with lighting its operations; what is not in a stream stays 0. Takes a rendering.
-ref::Rates count_rates(Engine& engine, const ref::SnappedList& scene);
+ref::Rates count_rates(Engine& engine, const ref::SnappedList& scene, const Config& config);
 
 }  // namespace halfspace::vectors
 
