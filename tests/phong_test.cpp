@@ -240,7 +240,7 @@ TEST(PhongConfigurations, AreRefusedWithAReason) {
   };
   EXPECT_EQ(refusal_of([](Config&) {}), "accepted");
   EXPECT_NE(refusal_of([](Config& c) { c.lights = 0; }).find("there are no lights"), std::string::npos);
-  EXPECT_NE(refusal_of([](Config& c) { c.normal_fraction = 0; }).find("normal_fraction are 1 to 40"), std::string::npos);
+  EXPECT_NE(refusal_of([](Config& c) { c.normal_fraction = 0; }).find("normal_fraction and coordinate_fraction are 1 to 40"), std::string::npos);
   EXPECT_NE(refusal_of([](Config& c) { c.normal_fraction = 14; }).find("planes of normals can be off"), std::string::npos);
   EXPECT_NE(refusal_of([](Config& c) { c.normal_fraction = 21; }).find("more fraction bits than its reciprocal"), std::string::npos);
   EXPECT_NE(refusal_of([](Config& c) { c.colour_fraction = 18; }).find("colour_fraction where shading is not"), std::string::npos);
