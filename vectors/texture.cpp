@@ -9,7 +9,6 @@
 
 #include "ref/error.hpp"
 #include "ref/snap.hpp"
-#include "vectors/runtime_formats.hpp"
 
 namespace halfspace::vectors {
 namespace {
@@ -134,12 +133,6 @@ TextureFrame texture_frame(const ref::Geometry& geometry, const Config& config) 
     out.texture = geometry.texture(k) + 1;
   }
   return frame;
-}
-
-std::vector<Layout> texture_layouts(const Config& config) {
-  using F = RuntimeFormats<Stamp1>;
-  F::activate(config, format_table(config));
-  return {layout<TextureEntry<F>>(), layout<Texel<F>>(), layout<TextureCoordinates<F>>(), layout<TexturePlanes<F>>()};
 }
 
 }  // namespace halfspace::vectors

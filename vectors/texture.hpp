@@ -11,7 +11,6 @@
 
 #include "hls/formats.hpp"
 #include "ref/geometry.hpp"
-#include "vectors/layout.hpp"
 
 namespace halfspace::vectors {
 
@@ -54,9 +53,6 @@ TextureFrame texture_frame(const ref::Geometry& geometry, const Config& config);
 // coordinates of all kinds in turn: any, ones at either end of the range, ones that hardly differ, w that differ by as
 // much as can be, many repetitions, and none of a texture.
 TextureFrame awkward_coordinates(std::size_t triangles, const Config& config, std::uint64_t seed);
-
-// Layouts of texture, texel, texture_coordinates and texture_planes.
-std::vector<Layout> texture_layouts(const Config& config);
 
 }  // namespace halfspace::vectors
 
