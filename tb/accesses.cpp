@@ -111,7 +111,7 @@ std::vector<Accesses> count_accesses(const Vectors& vectors, const std::map<std:
 
   const Field& index = scan.field("index");
   const Frame& frame = vectors.frames.back();
-  std::uint64_t shown = 0, entries = 0;
+  std::uint64_t shown = 0, entries = 0, covered = 0;
   Different different;
   for (std::size_t n = 0; n < scan.size(); ++n) {
     for (int lane = 0; lane < int(lanes); ++lane) {
@@ -119,6 +119,7 @@ std::vector<Accesses> count_accesses(const Vectors& vectors, const std::map<std:
       const std::uint64_t y = scan.raw(n, "y") * vectors.lanes_y + lane / vectors.lanes_x;
       shown += x < frame.width && y < frame.height;
       different.add(index.raw(scan.words[n], lane));
+      covered += index.raw(scan.words[n], lane) != 0;
     }
     entries += different.take();
   }
@@ -130,7 +131,8 @@ std::vector<Accesses> count_accesses(const Vectors& vectors, const std::map<std:
     add({"visibility_database", content_bits(*depths, {"index", "x", "y"}), fetched, stored, fetched, stored}, triangles);
   }
   const std::uint64_t stored = planes.size() - planes.set("empty");
-  add({"shading_database", content_bits(planes.stream, {"last", "empty", "index"}), entries, stored, entries, stored}, 2 * triangles);
+  add({"shading_database", content_bits(planes.stream, {"last", "empty", "index"}), entries, stored,
+       planes.stream.find("material") ? covered : entries, stored}, 2 * triangles);  // shade_phong reads it for each pixel
   return result;
 }
 

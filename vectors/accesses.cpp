@@ -12,7 +12,8 @@ namespace {
 class Counter {
  public:
   Counter(const Config& config, const Engine& engine, const ref::SnappedList& scene)
-      : stores_depth_(stores_depth(config)),
+      : is_phong_(is_phong(config)),
+        stores_depth_(stores_depth(config)),
         tests_planes_(tests_planes(config)),
         lanes_x_(engine.lanes_x()),
         lanes_(engine.lanes_x() * engine.lanes_y()),
@@ -66,14 +67,16 @@ class Counter {
     out_.needed.index.read += pixels, out_.needed.index.written += pixels;
     out_.words.index.read += lanes_, out_.words.index.written += lanes_;
     seen_.clear();
+    std::uint64_t covered = 0;
     for (int lane = 0; lane < lanes_; ++lane) {
       const std::int64_t entry = field_value(word, index, lane);
+      covered += entry != 0;
       if (entry != 0 && std::find(seen_.begin(), seen_.end(), entry) == seen_.end()) seen_.push_back(entry);
     }
-    out_.needed.shading.read += seen_.size(), out_.words.shading.read += seen_.size();
+    out_.needed.shading.read += seen_.size(), out_.words.shading.read += is_phong_ ? covered : seen_.size();
   }
 
-  const bool stores_depth_, tests_planes_;
+  const bool is_phong_, stores_depth_, tests_planes_;
   const int lanes_x_, lanes_, lanes_y_, width_, height_;
   std::vector<std::int64_t> seen_;
   Accesses out_;

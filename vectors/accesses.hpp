@@ -15,7 +15,7 @@ struct Accesses {
   // them; of TdbV and TdbS each different entry once a stamp.
   ref::BufferUses needed;
   // What the memories move: they are read by whole stamps, and the scan-out clears whole stamps; else only the lanes that change
-  // are written.
+  // are written. shade_phong reads TdbS for each pixel.
   ref::BufferUses words;
 };
 // Takes a rendering, with type γ two.
