@@ -7,8 +7,8 @@
 // {odd row, odd column}.
 // Interval 1. Latency, of cycles in which en_i is 1: bilinear 2, and the weights 1; else 1.
 module hs_texture_address #(
+  parameter int unsigned AddressBits,  // of a texel
   localparam int unsigned Bilinear = hs_formats_pkg::Bilinear,
-  localparam int unsigned AddressBits = hs_formats_pkg::TexelAddressBits,
   localparam int unsigned SideBits = hs_formats_pkg::SideBits,
   localparam int unsigned WeightBits = hs_formats_pkg::WeightBits,
   localparam int unsigned PlaceBits = AddressBits + (Bilinear != 0 ? WeightBits : 0),

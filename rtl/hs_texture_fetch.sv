@@ -196,7 +196,9 @@ module hs_texture_fetch #(
     .place_o    (v)
   );
 
-  hs_texture_address u_address (
+  hs_texture_address #(
+    .AddressBits(AddressBits)
+  ) u_address (
     .clk_i          (clk_i),
     .en_i           (en_i),
     .u_i            (u),
@@ -259,7 +261,9 @@ module hs_texture_fetch #(
         assign channel[bank*ColourBits +: ColourBits] =
             texels[(3*bank+c)*ColourBits +: ColourBits];
       end
-      hs_texture_filter u_filter (
+      hs_texture_filter #(
+        .WeightBits(WeightBits)
+      ) u_filter (
         .clk_i          (clk_i),
         .en_i           (en_i),
         .texels_i       (channel),

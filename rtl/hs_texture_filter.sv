@@ -6,8 +6,8 @@
 // Interval 1; texel_o 6 cycles after texels_i and column_weight_i, 3 after row_weight_i, of those in
 // which en_i is 1. Three multipliers: two of columns, one of rows.
 module hs_texture_filter #(
+  parameter int unsigned WeightBits,
   localparam int unsigned ColourBits = hs_formats_pkg::ColourBits,
-  localparam int unsigned WeightBits = hs_formats_pkg::WeightBits,
   localparam int unsigned FilteredBits = hs_formats_pkg::FilteredBits
 ) (
   input  logic                    clk_i,
