@@ -38,7 +38,9 @@ class TextureKernels {
       triangle_.write(triangle);
       triangle_setup(registers, triangle_, setup_, attributes_);
       setup_.read();
-      if (attributes_.empty()) continue;
+      const Attributes<F> shape = attributes_.read();
+      if (raw(shape.empty)) continue;
+      attributes_.write(shape);
       coordinates_.write(vectors::coordinates_record<F>(frame.triangles[k], int(k) + 1, false));
       texture_setup(attributes_, coordinates_, planes_);
       store_texture_planes(planes_, *database_);
