@@ -154,13 +154,13 @@ std::string write_vector_set(const std::string& folder, const VectorSetOptions& 
   Json streams = Json::array();
   for (const Layout& layout : layouts) streams.push_back(files.at(layout.stream).close());
   Json manifest = {{"format", "halfspace-vectors 1"},
-                         {"scene", options.scene},
-                         {"config", configuration.name()},
-                         {"lanes_x", engine->lanes_x()},
-                         {"lanes_y", engine->lanes_y()},
-                         {"seed", options.seed},
-                         {"frames", frame_list},
-                         {"streams", streams}};
+                   {"scene", options.scene},
+                   {"config", configuration.name()},
+                   {"lanes_x", engine->lanes_x()},
+                   {"lanes_y", engine->lanes_y()},
+                   {"seed", options.seed},
+                   {"frames", frame_list},
+                   {"streams", streams}};
   if (options.window != 0) manifest["window"] = options.window;
   const std::string text = manifest.dump(1) + "\n";
   staged.write("manifest.json", text);
