@@ -59,8 +59,8 @@ TEST(TextureTops, GiveTheWordsOfTheKernels) {
       triangle.write(t);
       triangle_setup(registers, triangle, setup, attributes);
       setup.read();
-      if (attributes.empty()) continue;
       const Attributes<F> in = attributes.read();
+      if (raw(in.empty)) continue;
       const TextureCoordinates<F> given = vectors::coordinates_record<F>(texture.triangles[k], int(k) + 1, false);
       std::vector<std::int64_t> got(std::size_t(kTexturePlanesFields) + 1, -1);
       texture_setup_top(fields_of(in, kAttributesFields).data(), fields_of(given, kTextureCoordinatesFields).data(),
