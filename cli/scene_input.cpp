@@ -138,7 +138,7 @@ LoadedScene load_snapped(const SceneInput& input) {
       snap_scene(input.scene, empty, first);  // throws
     }
     scene = std::make_shared<ref::Scene>(ref::load_scene(input.scene, input.time, has_texture(chosen.config())));
-    for (const std::string& loss : vectors::fit_textures(*scene, chosen.config())) std::fprintf(stderr, "halfspace: %s\n", loss.c_str());
+    for (const std::string& loss : vectors::fit_textures(*scene, chosen.config())) std::fprintf(stderr, "warning: %s\n", loss.c_str());
     project = [scene](const ref::View& view) { return ref::project(*scene, view); };
   }
   auto snapped = [&](const vectors::Configuration& configuration) -> LoadedScene {
