@@ -66,7 +66,7 @@ TEST(LightTops, SelectAndSetUpAsTheKernels) {
   const vectors::Configuration configuration(F::config().name, F::config());
   const auto engine = vectors::make_engine(configuration, F::kLanes);
   std::size_t selected = 0, set_up = 0, dropped = 0;
-  for (vectors::NamedFrame& frame : vectors::random_frames(vectors::raster_format(configuration), 5, 4, 60)) {
+  for (vectors::NamedFrame& frame : vectors::random_frames(vectors::raster_format(configuration), 5, 12, 60)) {
     engine->light(vectors::awkward_normals(frame.scene.triangles.size(), F::config(), 5));
     std::map<std::string, std::vector<std::vector<std::int64_t>>> streams;
     engine->capture(frame.scene, [&](const vectors::Layout& layout, const Word* words, std::size_t count) {

@@ -32,7 +32,7 @@ TEST(PhongTops, GiveTheWordsOfTheKernels) {
   const auto lights = std::make_unique<LightTable<F>>();
   const auto materials = std::make_unique<MaterialTable<F>>();
   std::size_t planes = 0, pixels = 0;
-  for (vectors::NamedFrame& frame : vectors::random_frames(vectors::raster_format(configuration), 5, 4, 60)) {
+  for (vectors::NamedFrame& frame : vectors::random_frames(vectors::raster_format(configuration), 5, 12, 60)) {
     frame.lighting = vectors::awkward_normals(frame.scene.triangles.size(), F::config(), 5);
     engine->light(frame.lighting);
     vectors::load_lights<F>(frame.lighting, *lights);

@@ -25,8 +25,8 @@ struct VectorSetOptions {
   std::string scene;   // name in the manifest
   Configuration configuration = find_configuration("middle");
   int lanes = 4;
-  int window = 0;  // of index reuse
   std::uint64_t seed = 0;  // of the random frames; 0 if there are none
+  int window = 0;          // of index reuse
 };
 
 // Writes the streams of the frames to `folder`, which is made. The files appear there together, at the end, or not
