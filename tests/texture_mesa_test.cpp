@@ -9,7 +9,6 @@
 
 #include "tests/mesa.hpp"
 #include "tests/texture_exact.hpp"
-#include "tests/texture_kernels.hpp"
 #include "tests/textured_configs.hpp"
 #include "vectors/engine_impl.hpp"
 
@@ -128,11 +127,11 @@ Comparison compare(bool coloured) {
     const std::vector<std::uint32_t>& by_mesa = mesa.draw(arrays);
 
     scene.triangles[0] = c.triangle;
-    const ref::Frame drawn = engine.render(scene);
     frame.triangles[0] = vectors::quantized_coordinates(c.uv, c.w, config, "a triangle");
     frame.triangles[0].texture = 1;
-    TextureKernels<F> kernels(scene, frame);
-    const auto by_kernels = kernels.shade(drawn.index, drawn.colour);
+    engine.texture(frame);
+    const ref::Frame drawn = engine.render(scene);
+    const auto& by_kernels = drawn.colour;
     for (int y = 0; y < kSize; ++y) {
       for (int x = 0; x < kSize; ++x) {
         const std::size_t at = std::size_t(y) * kSize + x;
