@@ -46,11 +46,14 @@ void print_table(const std::vector<Configuration>& configurations, bool markdown
   for (const Configuration& c : configurations) names.push_back(c.name()), rule.push_back("---");
   row("", names, "");
   if (markdown) row("---", rule, "---");
-  for (const auto& field : vectors::config_fields()) {
-    std::vector<std::string> cells;
-    for (const Configuration& c : configurations) cells.push_back(std::to_string(c.config().*field.value));
-    row(field.name, cells, field.what);
-  }
+  auto numbers = [&](const std::vector<vectors::ConfigField>& fields) {
+    for (const auto& field : fields) {
+      std::vector<std::string> cells;
+      for (const Configuration& c : configurations) cells.push_back(std::to_string(c.config().*field.value));
+      row(field.name, cells, field.what);
+    }
+  };
+  numbers(vectors::config_fields());
   std::vector<std::string> shadings, architectures;
   for (const Configuration& c : configurations) {
     shadings.push_back(vectors::shading_name(c.config().shading));
@@ -60,11 +63,7 @@ void print_table(const std::vector<Configuration>& configurations, bool markdown
   row("architecture", architectures, vectors::kArchitectureWhat);
   const bool lit = std::any_of(configurations.begin(), configurations.end(),
                                [](const Configuration& c) { return has_lighting(c.config()); });
-  for (const auto& field : vectors::lighting_fields()) {
-    std::vector<std::string> cells;
-    for (const Configuration& c : configurations) cells.push_back(std::to_string(c.config().*field.value));
-    if (lit) row(field.name, cells, field.what);
-  }
+  if (lit) numbers(vectors::lighting_fields());
   const bool textured = std::any_of(configurations.begin(), configurations.end(),
                                     [](const Configuration& c) { return has_texture(c.config()); });
   if (textured) {
@@ -75,11 +74,7 @@ void print_table(const std::vector<Configuration>& configurations, bool markdown
     }
     row("texture", textures, vectors::kTextureWhat);
     row("mapping", mappings, vectors::kMappingWhat);
-    for (const auto& field : vectors::texture_fields()) {
-      std::vector<std::string> cells;
-      for (const Configuration& c : configurations) cells.push_back(std::to_string(c.config().*field.value));
-      row(field.name, cells, field.what);
-    }
+    numbers(vectors::texture_fields());
   }
   auto formats = [&](const std::vector<vectors::FormatField>& fields) {
     for (const auto& field : fields) {

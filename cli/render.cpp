@@ -82,6 +82,7 @@ vectors::BufferBits bits_of(ref::Architecture architecture, Config config) {
 // The reference by one of the four architectures.
 ref::Frame draw_by(const Options& options, const LoadedScene& loaded, Counts& counts) {
   const ref::SnappedList& list = loaded.list;
+  const Config config = loaded.configuration.config();
   const ref::Architecture architecture = kind_of(ref::kArchitectures, options.architecture.empty() ? "delta" : options.architecture);
   std::optional<ref::Scene> scene;
   std::optional<ref::Geometry> geometry;
@@ -91,10 +92,9 @@ ref::Frame draw_by(const Options& options, const LoadedScene& loaded, Counts& co
     surface = ref::given_surface(list);
   } else {
     // Textures of a configuration that has them are as it can hold them.
-    const Config config = loaded.configuration.config();
     scene = has_texture(config) ? *loaded.scene : ref::load_scene(options.input.scene, options.input.time, !options.texture.empty());
     geometry.emplace(*scene, ref::View{list.width, list.height, list.format.range_bits, list.format.subpixel_bits});
-    const std::string given = vectors::shading_name(loaded.configuration.config().shading);
+    const std::string given = vectors::shading_name(config.shading);
     surface = ref::lit_surface(*geometry, list, kind_of(ref::kShadingModes, options.shading.empty() ? given : options.shading));
     if (!options.texture.empty()) {
       const ref::TextureMode mode{options.texture == "nearest" ? ref::TextureFilter::kNearest : ref::TextureFilter::kBilinear,
@@ -104,7 +104,6 @@ ref::Frame draw_by(const Options& options, const LoadedScene& loaded, Counts& co
       surface = ref::textured_surface(std::move(surface), *geometry, list, texture_mode(config));
     }
   }
-  const Config config = loaded.configuration.config();
   ref::Drawing drawing = ref::draw(list, *surface, architecture, true, {}, circuit_of(loaded.configuration, options.lanes));
   counts.rates = all_rates(drawing.rates);
   if (options.shading.empty() || options.shading == vectors::shading_name(config.shading)) {
@@ -112,9 +111,7 @@ ref::Frame draw_by(const Options& options, const LoadedScene& loaded, Counts& co
   }
   fmt::print("{}: {} fragments, {} passed the Z-test; {} lightings, {} texels\n", name_of(architecture), drawing.rates.fragments,
              drawing.rates.reduced_fragments, drawing.rates.lightings, drawing.rates.texture_fetches);
-  ref::Frame frame{list.width, list.height, std::move(drawing.triangle), std::move(drawing.depth), std::move(drawing.colour), {}, {}, {}};
-  frame.visible = std::move(drawing.visible);
-  return frame;
+  return frame_of(list, std::move(drawing));
 }
 
 ref::Frame render_with(const std::string& engine, const LoadedScene& loaded, int lanes) {

@@ -9,7 +9,6 @@
 #include <limits>
 #include <memory>
 
-#include "ref/architecture.hpp"
 #include "ref/error.hpp"
 #include "ref/geometry.hpp"
 #include "ref/scene.hpp"
@@ -93,6 +92,12 @@ std::unique_ptr<vectors::Engine> kernels_of(const LoadedScene& loaded, int lanes
   return engine;
 }
 
+ref::Frame frame_of(const ref::SnappedList& list, ref::Drawing drawing) {
+  ref::Frame frame{list.width, list.height, std::move(drawing.triangle), std::move(drawing.depth), std::move(drawing.colour), {}, {}, {}};
+  frame.visible = std::move(drawing.visible);
+  return frame;
+}
+
 ref::TextureMode texture_mode(const Config& config) {
   return {is_bilinear(config) ? ref::TextureFilter::kBilinear : ref::TextureFilter::kNearest,
           has_perspective(config) ? ref::TextureMapping::kPerspective : ref::TextureMapping::kAffine};
@@ -108,10 +113,7 @@ ref::Frame reference_of(const LoadedScene& loaded) {
   if (has_texture(config)) {
     surface = ref::textured_surface(std::move(surface), geometry, list, texture_mode(config));
   }
-  ref::Drawing drawing = ref::draw(list, *surface, ref::Architecture::kDelta);
-  ref::Frame frame{list.width, list.height, std::move(drawing.triangle), std::move(drawing.depth), std::move(drawing.colour), {}, {}, {}};
-  frame.visible = std::move(drawing.visible);
-  return frame;
+  return frame_of(list, ref::draw(list, *surface, ref::Architecture::kDelta));
 }
 
 LoadedScene load_snapped(const SceneInput& input) {

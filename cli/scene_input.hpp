@@ -8,6 +8,8 @@
 #include <string>
 
 #include "ref/snap.hpp"
+#include "ref/architecture.hpp"
+#include "ref/raster.hpp"
 #include "ref/scene.hpp"
 #include "ref/surface.hpp"
 #include "vectors/configuration.hpp"
@@ -45,6 +47,9 @@ vectors::TextureFrame texture_of(const LoadedScene& loaded);
 
 // The kernels of its configuration, with its lighting and its textures if they take them.
 std::unique_ptr<vectors::Engine> kernels_of(const LoadedScene& loaded, int lanes);
+
+// The picture of a drawing, with its buffers.
+ref::Frame frame_of(const ref::SnappedList& list, ref::Drawing drawing);
 
 // As a configuration with texture draws it.
 ref::TextureMode texture_mode(const Config& config);

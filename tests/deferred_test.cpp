@@ -30,10 +30,7 @@ std::size_t count(vectors::Engine& engine, const ref::SnappedList& list, const s
   std::size_t found = 0;
   engine.capture(list, [&](const vectors::Layout& layout, const vectors::Word* words, std::size_t n) {
     if (layout.stream != stream) return;
-    for (std::size_t i = 0; i < n; ++i) {
-      found += field == nullptr;
-      for (const vectors::Field& f : layout.fields) found += field && f.name == field && vectors::field_value(words[i], f) != 0;
-    }
+    found += field ? vectors::count_set(layout, words, n, field) : n;
   });
   return found;
 }

@@ -25,44 +25,32 @@ class Counter {
     ref::BufferUses &n = out_.needed, &w = out_.words;
     const std::string& stream = layout.stream;
     if (stream == "stamp") {
-      const std::uint64_t fragments = set(layout, words, number, "mask");
+      const std::uint64_t fragments = count_set(layout, words, number, "mask");
       n.index.read += fragments, w.index.read += number * lanes_;
       if (stores_depth_) n.depth.read += fragments, w.depth.read += number * lanes_;
     } else if (stream == "update") {
-      const std::uint64_t passed = set(layout, words, number, "mask");
+      const std::uint64_t passed = count_set(layout, words, number, "mask");
       n.index.written += passed, w.index.written += passed;
       if (stores_depth_) n.depth.written += passed, w.depth.written += passed;
     } else if (stream == "scan") {
       for (std::size_t k = 0; k < number; ++k) scan(layout, words[k]);
     } else if (stream == "planes") {
-      stored(n.shading, w.shading, number - set(layout, words, number, "empty"));
+      stored(n.shading, w.shading, number - count_set(layout, words, number, "empty"));
     } else if (stream == "visible" && tests_planes_) {
-      stored(n.visibility, w.visibility, set(layout, words, number, "visible"));
+      stored(n.visibility, w.visibility, count_set(layout, words, number, "visible"));
     }
   }
   void fetched(std::uint64_t entries) { out_.needed.visibility.read += entries, out_.words.visibility.read += entries; }
   const Accesses& result() const { return out_; }
 
  private:
-  static const Field& field(const Layout& layout, const char* name) {
-    return *std::find_if(layout.fields.begin(), layout.fields.end(), [&](const Field& f) { return f.name == name; });
-  }
-  // Where the lanes, or the words, of a field are not 0.
-  static std::uint64_t set(const Layout& layout, const Word* words, std::size_t number, const char* name) {
-    const Field& of = field(layout, name);
-    std::uint64_t count = 0;
-    for (std::size_t k = 0; k < number; ++k) {
-      for (int lane = 0; lane < of.count; ++lane) count += field_value(words[k], of, lane) != 0;
-    }
-    return count;
-  }
   static void stored(ref::BufferUse& needed, ref::BufferUse& words, std::uint64_t entries) {
     needed.written += entries, words.written += entries;
   }
 
   void scan(const Layout& layout, const Word& word) {
-    const Field& index = field(layout, "index");
-    const int x = int(field_value(word, field(layout, "x"))) * lanes_x_, y = int(field_value(word, field(layout, "y"))) * lanes_y_;
+    const Field& index = field_named(layout, "index");
+    const int x = int(field_value(word, field_named(layout, "x"))) * lanes_x_, y = int(field_value(word, field_named(layout, "y"))) * lanes_y_;
     const std::uint64_t pixels = std::uint64_t(std::min(lanes_x_, width_ - x)) * std::min(lanes_y_, height_ - y);
     out_.needed.index.read += pixels, out_.needed.index.written += pixels;
     out_.words.index.read += lanes_, out_.words.index.written += lanes_;

@@ -3,6 +3,8 @@
 #ifndef HALFSPACE_VECTORS_FIELD_VALUE_HPP_
 #define HALFSPACE_VECTORS_FIELD_VALUE_HPP_
 
+#include <algorithm>
+
 #include "vectors/layout.hpp"
 
 namespace halfspace::vectors {
@@ -13,6 +15,21 @@ inline std::int64_t field_value(const Word& word, const Field& field, int lane =
   if (shift + field.width > 64) bits |= word[at + 1] << (64 - shift);
   const int spare = 64 - field.width;
   return field.is_signed ? std::int64_t(bits << spare) >> spare : std::int64_t(bits << spare >> spare);
+}
+
+// The field of that name, which there is.
+inline const Field& field_named(const Layout& layout, const char* name) {
+  return *std::find_if(layout.fields.begin(), layout.fields.end(), [&](const Field& f) { return f.name == name; });
+}
+
+// The words, or the lanes of them, in which the field is not 0.
+inline std::uint64_t count_set(const Layout& layout, const Word* words, std::size_t count, const char* name) {
+  const Field& field = field_named(layout, name);
+  std::uint64_t found = 0;
+  for (std::size_t n = 0; n < count; ++n) {
+    for (int lane = 0; lane < field.count; ++lane) found += field_value(words[n], field, lane) != 0;
+  }
+  return found;
 }
 
 }  // namespace halfspace::vectors

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "vectors/rates.hpp"
 
-#include <algorithm>
 #include <map>
 #include <string>
 
@@ -26,23 +25,20 @@ ref::Rates count_rates(Engine& engine, const ref::SnappedList& scene, const Conf
   std::uint64_t lit = 0;
   std::map<std::int64_t, bool> has_texture;  // of the triangle that an index stands for at scan-out
   engine.capture(scene, [&](const Layout& layout, const Word* words, std::size_t count) {
-    const auto field_of = [&](const char* name) -> const Field& {
-      return *std::find_if(layout.fields.begin(), layout.fields.end(), [&](const Field& f) { return f.name == name; });
-    };
     normals = normals || layout.stream == "normals";
     if (layout.stream == "colours") {
       colours = true;
       const int vertices = layout.fields.back().name == "b2" ? 3 : 1;
-      for (std::size_t n = 0; n < count; ++n) lit += field_value(words[n], field_of("index")) != 0 ? vertices : 0;
+      lit = count_set(layout, words, count, "index") * std::uint64_t(vertices);
     }
     if (layout.stream == "texture_planes") {
+      const Field &empty = field_named(layout, "empty"), &index = field_named(layout, "index"), &texture = field_named(layout, "texture");
       for (std::size_t n = 0; n < count; ++n) {
-        if (field_value(words[n], field_of("empty")) != 0) continue;
-        has_texture[field_value(words[n], field_of("index"))] = field_value(words[n], field_of("texture")) != 0;
+        if (field_value(words[n], empty) == 0) has_texture[field_value(words[n], index)] = field_value(words[n], texture) != 0;
       }
     }
     if (layout.stream == "scan" && !has_texture.empty()) {
-      const Field& index = field_of("index");
+      const Field& index = field_named(layout, "index");
       for (std::size_t n = 0; n < count; ++n) {
         for (int lane = 0; lane < index.count; ++lane) {
           const auto found = has_texture.find(field_value(words[n], index, lane));
@@ -51,11 +47,7 @@ ref::Rates count_rates(Engine& engine, const ref::SnappedList& scene, const Conf
       }
     }
     for (const Counter& counter : kCounters) {
-      if (layout.stream != counter.stream) continue;
-      const auto field = std::find_if(layout.fields.begin(), layout.fields.end(), [&](const Field& f) { return f.name == counter.field; });
-      for (std::size_t n = 0; n < count; ++n) {
-        for (int lane = 0; lane < field->count; ++lane) rates.*counter.rate += field_value(words[n], *field, lane) != 0;
-      }
+      if (layout.stream == counter.stream) rates.*counter.rate += count_set(layout, words, count, counter.field);
     }
   });
   if (normals) rates.lightings = colours ? lit : rates.visible_pixels;
