@@ -8,8 +8,6 @@
 #include <limits>
 
 #include "ref/error.hpp"
-#include "ref/plane.hpp"
-#include "ref/snap.hpp"
 
 namespace halfspace::ref {
 
@@ -18,11 +16,9 @@ Geometry::Geometry(const Scene& scene, const View& view)
       view_(view),
       viewpoint_(ref::viewpoint(scene, double(view.width) / view.height)),
       lights_(lights_of(scene, viewpoint_)),
-      frame_planes_(planes_around(0, view.width, 0, view.height)),
+      frame_planes_(frame_planes(view)),
+      guard_planes_(guard_planes(view)),
       list_{view.width, view.height, {scene.background.r, scene.background.g, scene.background.b}, {}, {}} {
-  // One pixel inside the range, so that neither rounding nor snapping leads out of it.
-  const double guard = std::ldexp(1.0, view.range_bits - 1) - 1;
-  guard_planes_ = planes_around(-guard, guard, -guard, guard);
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) draw(i);
   if (list_.triangles.empty()) {
     throw Error(fmt::format(
@@ -30,14 +26,6 @@ Geometry::Geometry(const Scene& scene, const View& view)
         " to have the scene framed",
         scene_.name));
   }
-}
-
-// Near and far, then the sides of a rectangle in pixels. Near comes first: behind it w > 0, and a side only
-// means what it should there.
-std::vector<ClipPlane> Geometry::planes_around(double left, double right, double top, double bottom) const {
-  const double w = view_.width / 2.0, h = view_.height / 2.0;  // pixel = (w + w x/w_clip, h - h y/w_clip)
-  return {{0, 0, 1, 0},          {0, 0, -1, 1},       {w, 0, 0, w - left},
-          {-w, 0, 0, right - w}, {0, -h, 0, h - top}, {0, h, 0, bottom - h}};
 }
 
 void Geometry::draw(std::uint32_t number) {
@@ -48,12 +36,8 @@ void Geometry::draw(std::uint32_t number) {
   placements_.push_back({normal_matrix(instance.to_world), {}, {}});
 
   std::vector<glm::dvec4> positions;  // clip space; a vertex is transformed once, however many triangles share it
-  for (const glm::dvec3& position : mesh.positions) {
-    glm::dvec4 clip = viewpoint_.to_clip * (instance.to_world * glm::dvec4(position, 1));
-    clip.x += 2 * view_.shift_x / view_.width * clip.w;
-    clip.y -= 2 * view_.shift_y / view_.height * clip.w;
-    positions.push_back(clip);
-  }
+  for (const glm::dvec3& position : mesh.positions)
+    positions.push_back(clip_position(viewpoint_, view_, instance.to_world, position));
   for (std::array<std::uint32_t, 3> corner : mesh.triangles) {
     ++face_;
     if (mirrored) std::swap(corner[1], corner[2]);
@@ -65,30 +49,15 @@ void Geometry::draw(std::uint32_t number) {
     polygon = clip(std::move(polygon), guard_planes_);
     for (std::size_t i = 2; i < polygon.size(); ++i) {
       const std::array<const ClipVertex*, 3> part{&polygon[0], &polygon[i - 1], &polygon[i]};
-      const std::array<Vertex, 3> triangle{viewport(part[0]->position), viewport(part[1]->position), viewport(part[2]->position)};
-      if (!two_sided && !faces_viewer(triangle)) continue;
+      const std::array<Vertex, 3> triangle{viewport(part[0]->position, view_), viewport(part[1]->position, view_),
+                                           viewport(part[2]->position, view_)};
+      if (!two_sided && !faces_viewer(triangle, view_)) continue;
       list_.triangles.push_back(triangle);
       list_.face.push_back(face_);
       origins_.push_back({number, corner, two_sided && !faces, {part[0]->weights, part[1]->weights, part[2]->weights},
                           {part[0]->position.w, part[1]->position.w, part[2]->position.w}});
     }
   }
-}
-
-Vertex Geometry::viewport(const glm::dvec4& clip) const {
-  const glm::dvec3 p = glm::dvec3(clip) / clip.w;
-  return {view_.width * (0.5 + 0.5 * p.x), view_.height * (0.5 - 0.5 * p.y), std::clamp(p.z, 0.0, 1.0), 0, 0, 0};
-}
-
-// Counter-clockwise on the screen, which is a negative area as rows go downward. As snapped, so that what
-// is kept is what the rasterizer sees.
-bool Geometry::faces_viewer(const std::array<Vertex, 3>& t) const {
-  std::array<Wide, 3> x, y;
-  for (int i = 0; i < 3; ++i) {
-    x[i] = std::int64_t(snapped_position(t[i].x, view_.subpixel_bits));
-    y[i] = std::int64_t(snapped_position(t[i].y, view_.subpixel_bits));
-  }
-  return (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]) < 0;
 }
 
 glm::dvec3 Geometry::normal(const Origin& origin, std::uint32_t corner) const {

@@ -10,18 +10,12 @@
 
 #include "ref/clip.hpp"
 #include "ref/lighting.hpp"
+#include "ref/projection.hpp"
 #include "ref/scene.hpp"
 #include "ref/triangle_list.hpp"
 #include "ref/viewpoint.hpp"
 
 namespace halfspace::ref {
-
-struct View {
-  int width, height;  // pixels
-  int range_bits;     // positions come out inside [-2^(range_bits-1) + 1, 2^(range_bits-1) - 1] pixels
-  int subpixel_bits;  // of the raster: culling goes by the sign of the area as snapped
-  double shift_x = 0, shift_y = 0;  // pixels that the picture is moved to the right and down, before it is clipped
-};
 
 // What a triangle of a frame is a part of.
 struct Origin {
@@ -63,10 +57,7 @@ class Geometry {
     glm::dmat3 turn;                      // of normals
     std::vector<glm::dvec3> front, back;  // colours of either side as far as they were asked for; else NaN
   };
-  std::vector<ClipPlane> planes_around(double left, double right, double top, double bottom) const;
   void draw(std::uint32_t instance);
-  Vertex viewport(const glm::dvec4& clip) const;
-  bool faces_viewer(const std::array<Vertex, 3>&) const;
   glm::dvec3 normal(const Origin&, std::uint32_t corner) const;
   glm::dvec3 corner_colour(const Origin&, std::uint32_t corner);
 
