@@ -50,6 +50,8 @@ FrameSize parse_size(const std::string& text) {
 std::string builtin_names() {
   std::string names;
   for (const std::string& name : ref::builtin_scene_names()) names += (names.empty() ? "" : ", ") + name;
+  names += "; animated:";
+  for (const std::string& name : ref::animated_scene_names()) names += " " + name;
   return names;
 }
 
@@ -60,7 +62,7 @@ void add_scene_options(CLI::App* command, SceneInput& input) {
                       "number formats: low (320x200), middle (640x480), high (1920x1080) or a .toml file; default: "
                       "middle, or high when the scene does not fit");
   command->add_option("--size", input.size, "frame, WxH; default: the size in the file, or the configuration's own");
-  command->add_option("--time", input.time, "seconds into the file's animation")->capture_default_str();
+  command->add_option("--time", input.time, "seconds into the animation")->capture_default_str();
 }
 
 namespace {

@@ -23,11 +23,11 @@ struct SceneInput {
   std::string scene;   // built-in name, *.tri, or a mesh file
   std::string config;  // name or .toml; empty: middle, or high when the scene does not fit middle
   std::string size;    // "WxH"; empty: a *.tri's size, or the configuration's
-  double time = 0;     // seconds into the file's animation
+  double time = 0;     // seconds into the animation
   int window = 0;      // of index reuse; not 0: there may be more triangles than the configuration takes
 };
 
-// Of the built-in scenes, for a help text.
+// Of the built-in scenes, the animated ones last, for a help text.
 std::string builtin_names();
 
 // Adds the scene and its options to a subcommand.

@@ -7,9 +7,11 @@
 namespace halfspace::ref {
 namespace {
 
+constexpr double kPi = glm::pi<double>();
+
 // Corner i of n around the y axis, from x to z: clockwise seen from above.
 glm::dvec3 around(int i, int n) {
-  const double angle = 2 * glm::pi<double>() * (i % n) / n;
+  const double angle = 2 * kPi * (i % n) / n;
   return {std::cos(angle), 0, std::sin(angle)};
 }
 
@@ -66,6 +68,43 @@ void MeshBuilder::disc(const glm::dvec3& centre, double radius, int sides, bool 
   std::vector<glm::dvec3> corners;
   for (int i = 0; i < sides; ++i) corners.push_back(centre + radius * around(up ? sides - i : i, sides));
   polygon(corners);
+}
+
+void MeshBuilder::torus(double radius, double thickness, int around, int across) {
+  const auto first = vertex_count();
+  for (int i = 0; i < around; ++i) {
+    for (int j = 0; j < across; ++j) {
+      const double a = 2 * kPi * i / around, b = 2 * kPi * j / across;
+      const glm::dvec3 outward(std::cos(a), 0, std::sin(a));
+      const glm::dvec3 normal = std::cos(b) * outward + std::sin(b) * glm::dvec3(0, 1, 0);
+      vertex(radius * outward + thickness * normal, normal);
+    }
+  }
+  const auto at = [&](int i, int j) { return first + std::uint32_t(i % around * across + j % across); };
+  for (int i = 0; i < around; ++i) {
+    for (int j = 0; j < across; ++j) {
+      triangle(at(i, j), at(i, j + 1), at(i + 1, j + 1));
+      triangle(at(i, j), at(i + 1, j + 1), at(i + 1, j));
+    }
+  }
+}
+
+void MeshBuilder::ellipsoid(const glm::dvec3& centre, const glm::dvec3& radii, int around, int bands) {
+  const auto first = vertex_count();
+  for (int i = 0; i <= bands; ++i) {
+    for (int j = 0; j < around; ++j) {
+      const double up = kPi * i / bands - kPi / 2, a = 2 * kPi * j / around;
+      const glm::dvec3 unit(std::cos(up) * std::cos(a), std::sin(up), std::cos(up) * std::sin(a));
+      vertex(centre + radii * unit, glm::normalize(unit / radii));
+    }
+  }
+  const auto at = [&](int i, int j) { return first + std::uint32_t(i * around + j % around); };
+  for (int i = 0; i < bands; ++i) {
+    for (int j = 0; j < around; ++j) {
+      if (i > 0) triangle(at(i, j), at(i + 1, j), at(i, j + 1));
+      if (i + 1 < bands) triangle(at(i, j + 1), at(i + 1, j), at(i + 1, j + 1));
+    }
+  }
 }
 
 Mesh MeshBuilder::mesh(const char* name) && {

@@ -29,6 +29,11 @@ class MeshBuilder {
   // A regular polygon around the same axis, facing up or down.
   void disc(const glm::dvec3& centre, double radius, int sides, bool up);
 
+  // A torus around the y axis.
+  void torus(double radius, double thickness, int around, int across);
+  // Smooth, its poles up and down.
+  void ellipsoid(const glm::dvec3& centre, const glm::dvec3& radii, int around, int bands);
+
   // A mesh alone in a scene.
   Scene scene(const Material&) &&;
   Mesh mesh(const char* name) &&;

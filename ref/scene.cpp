@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "ref/animated_scenes.hpp"
 #include "ref/builtin_scenes.hpp"
 #include "ref/error.hpp"
 #include "ref/scene_file.hpp"
@@ -50,6 +51,7 @@ void check(const Scene& scene) {
 
 Scene load_scene(const std::string& name_or_path, double time_seconds, bool textured) {
   std::optional<Scene> scene = builtin_scene(name_or_path);
+  if (!scene) scene = animated_scene(name_or_path, time_seconds);
   if (!scene) scene = read_scene_file(name_or_path, time_seconds, textured);
   check(*scene);
   return std::move(*scene);

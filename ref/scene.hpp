@@ -73,11 +73,12 @@ struct Scene {
 };
 
 // A built-in scene by its name, or any file that Assimp reads, with the first of its animations (nodes and
-// bones) at `time_seconds`; the built-in scenes stand still. Error on everything that cannot be drawn.
+// bones) at `time_seconds`; of the built-in scenes the animated ones move. Error on everything that cannot be drawn.
 // Textures are read if `textured`, and one that is missing is an error then.
 Scene load_scene(const std::string& name_or_path, double time_seconds = 0, bool textured = false);
 
-std::vector<std::string> builtin_scene_names();
+std::vector<std::string> builtin_scene_names();   // that stand still
+std::vector<std::string> animated_scene_names();  // built in as well
 
 }  // namespace halfspace::ref
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // The small built-in scenes, after the models of frame-rate up-conversion and index rendering.
-#include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -18,26 +17,6 @@ Material plastic(double specular, double shininess) {
   material.specular = glm::dvec3(specular);
   material.shininess = shininess;
   return material;
-}
-
-// A torus around the y axis.
-void add_torus(MeshBuilder& builder, double radius, double thickness, int around, int across) {
-  const auto first = builder.vertex_count();
-  for (int i = 0; i < around; ++i) {
-    for (int j = 0; j < across; ++j) {
-      const double a = 2 * kPi * i / around, b = 2 * kPi * j / across;
-      const glm::dvec3 outward(std::cos(a), 0, std::sin(a));
-      const glm::dvec3 normal = std::cos(b) * outward + std::sin(b) * glm::dvec3(0, 1, 0);
-      builder.vertex(radius * outward + thickness * normal, normal);
-    }
-  }
-  const auto at = [&](int i, int j) { return first + std::uint32_t(i % around * across + j % across); };
-  for (int i = 0; i < around; ++i) {
-    for (int j = 0; j < across; ++j) {
-      builder.triangle(at(i, j), at(i, j + 1), at(i + 1, j + 1));
-      builder.triangle(at(i, j), at(i + 1, j + 1), at(i + 1, j));
-    }
-  }
 }
 
 }  // namespace
@@ -75,7 +54,7 @@ Scene pyramid() {
 Scene ring() {
   MeshBuilder builder;
   builder.colour = {0.85, 0.62, 0.18};
-  add_torus(builder, 1, 0.36, 48, 24);
+  builder.torus(1, 0.36, 48, 24);
   Scene scene = std::move(builder).scene(plastic(0.7, 30));
   scene.view_direction = {-0.3, -0.75, -1};
   return scene;
@@ -89,7 +68,7 @@ Scene wheel() {
 
   MeshBuilder tyre;
   tyre.colour = {0.22, 0.22, 0.25};
-  add_torus(tyre, 1.0, 0.17, 48, 16);
+  tyre.torus(1.0, 0.17, 48, 16);
   scene.meshes.push_back(std::move(tyre).mesh("tyre"));
 
   MeshBuilder metal;

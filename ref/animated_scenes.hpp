@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Built-in scenes that move. Instances, and the camera of some, are functions of time; meshes and the order of instances are not, so
+// that a face has one number at all times. Speeds are in docs/frames.md.
+#ifndef HALFSPACE_REF_ANIMATED_SCENES_HPP_
+#define HALFSPACE_REF_ANIMATED_SCENES_HPP_
+
+#include <optional>
+#include <string>
+
+#include "ref/scene.hpp"
+
+namespace halfspace::ref {
+
+// Held at its ends outside its duration, as animations of files are.
+std::optional<Scene> animated_scene(const std::string& name, double time_seconds);
+
+Scene drone(double seconds);  // four shrouded rotors around a ball
+Scene jet(double seconds);    // wings that sweep back, fins, nozzles, missiles
+
+}  // namespace halfspace::ref
+
+#endif  // HALFSPACE_REF_ANIMATED_SCENES_HPP_
