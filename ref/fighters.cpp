@@ -81,7 +81,7 @@ Scene drone(double seconds) {
   const int blade_mesh = add(scene, std::move(blade), "blade", 0);
 
   const double in = eased(seconds, -0.6, 1.1), off = eased(seconds, 0.9, 2.3);
-  const glm::dvec3 place(-9 + 8.6 * in + 0.6 * off, -0.5 + 0.3 * in + 1.5 * off, -3 + 7.2 * off);
+  const glm::dvec3 place(-8 + 7.6 * in + 0.6 * off, -0.7 + 0.3 * in + 1.7 * off, -1 + 5.2 * off);
   const glm::dmat4 flight = at(place) * turned(0.5 - 0.9 * in, {0, 1, 0}) * turned(0.35 * (1 - in) - 0.5 * off, {0, 0, 1}) *
                             turned(0.25 + 0.3 * off, {1, 0, 0});
   scene.instances.push_back({hull_mesh, flight});
@@ -140,7 +140,7 @@ Scene jet(double seconds) {
   }
   const int missile_mesh = add(scene, std::move(missile), "missile", 0);
 
-  const glm::dvec3 from(-9.5, 1.6, -9), to(4.2, -0.4, 2), nose = glm::normalize(to - from);
+  const glm::dvec3 from(-6, 1.4, -6), to(4.2, -0.4, 2), nose = glm::normalize(to - from);
   const glm::dvec3 right = glm::normalize(glm::cross(nose, {0, 1, 0})), up = glm::cross(right, nose);
   const glm::dvec3 place = glm::mix(from, to, seconds / 2 * (0.7 + 0.15 * seconds));
   const glm::dmat4 heading{{right, 0}, {nose, 0}, {up, 0}, {0, 0, 0, 1}};

@@ -29,16 +29,12 @@ Times times(const std::string& name, double start, double a) {
   return {load_scene(name, start), load_scene(name, start + kInterval), load_scene(name, start + a * kInterval), a};
 }
 
-void expect_same(const Vertex& a, const Vertex& b) {
-  EXPECT_EQ(a.x, b.x);
-  EXPECT_EQ(a.y, b.y);
-  EXPECT_EQ(a.z, b.z);
+void expect_same(const std::array<Vertex, 3>& a, const std::array<Vertex, 3>& b) {
+  for (int v = 0; v < 3; ++v) EXPECT_TRUE(a[v].x == b[v].x && a[v].y == b[v].y && a[v].z == b[v].z) << "vertex " << v;
 }
 void expect_same(const TriangleList& a, const TriangleList& b) {
   ASSERT_EQ(a.face, b.face);
-  for (std::size_t k = 0; k < a.triangles.size(); ++k) {
-    for (int v = 0; v < 3; ++v) expect_same(a.triangles[k][v], b.triangles[k][v]);
-  }
+  for (std::size_t k = 0; k < a.triangles.size(); ++k) expect_same(a.triangles[k], b.triangles[k]);
 }
 
 // --- animated scenes ---
@@ -57,8 +53,12 @@ TEST(AnimatedScenes, MoveAndStayInTheFrame) {
       const Scene scene = load_scene(name, frame * kFrame);
       const Geometry geometry(scene, kView);  // throws when nothing is seen
       most = std::max(most, geometry.origins().size()), least = std::min(least, geometry.origins().size());
-      if (name != "cube_zoom") EXPECT_EQ(viewpoint(scene, 4 / 3.0).eye, eye.eye);
-      else if (frame == 7) EXPECT_GT(glm::distance(viewpoint(scene, 4 / 3.0).eye, eye.eye), 1);
+      const double moved = glm::distance(viewpoint(scene, 4 / 3.0).eye, eye.eye);
+      if (name != "cube_zoom") {
+        EXPECT_EQ(moved, 0);
+      } else if (frame == 7) {
+        EXPECT_GT(moved, 1);
+      }
     }
     std::printf("%-14s %zu to %zu of %zu faces drawn\n", name.c_str(), least, most, FacePlaces(start, kView).faces());
   }
@@ -99,9 +99,10 @@ TEST(Follow, KeysAreMetToTheBit) {
         EXPECT_EQ(between.fallen_back, 0u);
         expect_same(between.list, geometry.positions());
         for (std::size_t k = 0; k < between.traces.size(); ++k) {
-          for (const glm::dvec2& vector : vectors(between, k)[key].value()) EXPECT_EQ(vector, glm::dvec2(0));
-          for (const FixedVector& vector : fixed_vectors(between, k, kView.subpixel_bits, {9, 4})[key].value())
-            EXPECT_EQ(vector, (FixedVector{0, 0}));
+          const auto exact = vectors(between, k)[key].value();
+          const auto fixed = fixed_vectors(between, k, kView.subpixel_bits, {9, 4})[key].value();
+          EXPECT_EQ(exact, (std::array<glm::dvec2, 3>{}));
+          EXPECT_EQ(fixed, (std::array<FixedVector, 3>{}));
         }
       }
     }
@@ -458,7 +459,8 @@ TEST(Edges, CrossesTheNearPlane) {
   EXPECT_LT(seen.perspective, 1e-6);
   EXPECT_GT(seen.absent, 0);
   EXPECT_EQ(straight.fallen_back, 1u);
-  expect_same(straight.list, exact.list);
+  ASSERT_EQ(straight.list.face, exact.list.face);
+  expect_same(straight.list.triangles[0], exact.list.triangles[0]);
   EXPECT_FALSE(straight.traces[0].straight);
   EXPECT_TRUE(straight.traces.back().straight);
 }
@@ -490,7 +492,7 @@ TEST(Edges, ClippedInBetween) {
       for (const glm::dvec2& vector : of_key.value()) EXPECT_LT(glm::length(vector), 1e-9);
     }
   }
-  const Times sideways{floor(-1, 0), floor(2, 0), floor(0.2, 0), 0.4};
+  const Times sideways{floor(-1, -1), floor(2, -2), floor(0.2, 0), 0.4};
   const Seen seen = compare_with_rays(sideways);
   EXPECT_LT(seen.perspective, 1e-6);
   EXPECT_GT(seen.vectors, 5000);
