@@ -82,9 +82,15 @@ constexpr struct {
   const char* name;
   double duration;  // seconds
   Scene (*at)(double seconds);
-} kAnimations[] = {{"cube_slow", 2, cube_slow},       {"cube_fast", 2, cube_fast},     {"cube_zoom", 2, cube_zoom},
-                   {"pyramid_slow", 2, pyramid_slow}, {"pyramid_fast", 2, pyramid_fast}, {"wheel_in_out", 2, wheel_in_out},
-                   {"wheel_turn", 2, wheel_turn},     {"ring_fall", 1.5, ring_fall},   {"drone", 2, drone},
+} kAnimations[] = {{"cube_slow", 2, cube_slow},
+                   {"cube_fast", 2, cube_fast},
+                   {"cube_zoom", 2, cube_zoom},
+                   {"pyramid_slow", 2, pyramid_slow},
+                   {"pyramid_fast", 2, pyramid_fast},
+                   {"wheel_in_out", 2, wheel_in_out},
+                   {"wheel_turn", 2, wheel_turn},
+                   {"ring_fall", 1.5, ring_fall},
+                   {"drone", 2, drone},
                    {"jet", 2, jet}};
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Built-in scenes that move. Instances, and the camera of some, are functions of time; meshes and the order of instances are not, so
-// that a face has one number at all times. Speeds are in docs/frames.md.
+// Built-in scenes that move. Instances, and the camera of some, are functions of time; meshes and the order of
+// instances are not, so that a face has one number at all times. Speeds are in docs/frames.md.
 #ifndef HALFSPACE_REF_ANIMATED_SCENES_HPP_
 #define HALFSPACE_REF_ANIMATED_SCENES_HPP_
 

@@ -82,14 +82,15 @@ Scene drone(double seconds) {
 
   const double in = eased(seconds, -0.6, 1.1), off = eased(seconds, 0.9, 2.3);
   const glm::dvec3 place(-8 + 7.6 * in + 0.6 * off, -0.7 + 0.3 * in + 1.7 * off, -1 + 5.2 * off);
-  const glm::dmat4 flight = at(place) * turned(0.5 - 0.9 * in, {0, 1, 0}) * turned(0.35 * (1 - in) - 0.5 * off, {0, 0, 1}) *
-                            turned(0.25 + 0.3 * off, {1, 0, 0});
+  const glm::dmat4 flight = at(place) * turned(0.5 - 0.9 * in, {0, 1, 0}) *
+                            turned(0.35 * (1 - in) - 0.5 * off, {0, 0, 1}) * turned(0.25 + 0.3 * off, {1, 0, 0});
   scene.instances.push_back({hull_mesh, flight});
   for (int i = 0; i < 4; ++i) {
     const double a = kPi / 4 + i * kPi / 2, turn = glm::radians(kRotor) * seconds * (i % 2 ? -1 : 1);
     const glm::dmat4 hub = flight * at(kArm * 1.3 * glm::dvec3(std::cos(a), 0, std::sin(a)));
     scene.instances.push_back({duct_mesh, hub});
-    for (int b = 0; b < 3; ++b) scene.instances.push_back({blade_mesh, hub * turned(turn + b * 2 * kPi / 3, {0, 1, 0})});
+    for (int b = 0; b < 3; ++b)
+      scene.instances.push_back({blade_mesh, hub * turned(turn + b * 2 * kPi / 3, {0, 1, 0})});
   }
   return scene;
 }
@@ -102,7 +103,8 @@ Scene jet(double seconds) {
 
   MeshBuilder body;
   body.colour = {0.55, 0.60, 0.66};
-  body.lathe({0, -2.4, 0}, {{0.22, 0}, {0.34, 0.4}, {0.38, 1.2}, {0.38, 2.4}, {0.33, 3.2}, {0.22, 4.0}, {0.1, 4.7}, {0, 5.0}}, 40);
+  body.lathe({0, -2.4, 0},
+             {{0.22, 0}, {0.34, 0.4}, {0.38, 1.2}, {0.38, 2.4}, {0.33, 3.2}, {0.22, 4.0}, {0.1, 4.7}, {0, 5.0}}, 40);
   body.colour = {0.20, 0.28, 0.40};
   body.ellipsoid({0, 0.95, 0.26}, {0.2, 0.75, 0.26}, 28, 16);
   body.colour = {0.48, 0.52, 0.58};
@@ -152,7 +154,8 @@ Scene jet(double seconds) {
     scene.instances.push_back({nozzle_mesh, half * at({0.5, -2, -0.06})});
     scene.instances.push_back({wing_mesh, half * at({0.6, -0.1, 0}) * turned(-sweep, {0, 0, 1})});
     scene.instances.push_back({tail_mesh, half});
-    for (int i = 0; i < 3; ++i) scene.instances.push_back({missile_mesh, half * at({0.28 + 0.26 * i, -0.3 - 0.2 * i, -0.42})});
+    for (int i = 0; i < 3; ++i)
+      scene.instances.push_back({missile_mesh, half * at({0.28 + 0.26 * i, -0.3 - 0.2 * i, -0.42})});
   }
   return scene;
 }

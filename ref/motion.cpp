@@ -12,7 +12,8 @@
 namespace halfspace::ref {
 namespace {
 
-// A vertex made by the near plane lies on it at the key as well where nothing moves, and rounding must not put it behind. In depth.
+// A vertex made by the near plane lies on it at the key as well where nothing moves, and rounding must not put it
+// behind. In depth.
 constexpr double kNearSlack = 1e-6;
 
 bool same_faces(const Scene& a, const Scene& b) {
@@ -23,7 +24,8 @@ bool same_faces(const Scene& a, const Scene& b) {
   return std::equal(a.instances.begin(), a.instances.end(), b.instances.begin(), b.instances.end(), same);
 }
 
-// The places of a triangle of `geometry` at a key follow from those of its corners there: clipping weighs them in clip space.
+// The places of a triangle of `geometry` at a key follow from those of its corners there: clipping weighs them in clip
+// space.
 Trace exact_trace(const Geometry& geometry, std::size_t k, const OfKeys<FacePlaces>& keys, const View& view) {
   const Origin& origin = geometry.origins()[k];
   Trace trace{geometry.positions().face[k], false, origin.w, {}, {}};
@@ -67,7 +69,8 @@ class StraightFaces {
       const std::array<const ClipVertex*, 3> part{&polygon[0], &polygon[i - 1], &polygon[i]};
       std::array<Vertex, 3> triangle;
       Trace trace{face, true, {1, 1, 1}, {}, {}};
-      for (int v = 0; v < 3; ++v) triangle[v] = {part[v]->position.x, part[v]->position.y, part[v]->position.z, 0, 0, 0};
+      for (int v = 0; v < 3; ++v)
+        triangle[v] = {part[v]->position.x, part[v]->position.y, part[v]->position.z, 0, 0, 0};
       if (!two_sided && !faces_viewer(triangle, view_)) continue;
       for (int key = 0; key < kKeys; ++key) {
         trace.screen[key].emplace();
@@ -134,14 +137,18 @@ Standing FacePlaces::standing(std::uint32_t face) const {
   if (behind > 0) return Standing::kCrossing;
   const std::vector<ClipVertex> polygon{{corners[0], {1, 0, 0}}, {corners[1], {0, 1, 0}}, {corners[2], {0, 0, 1}}};
   if (outside_one(polygon, frame_planes(view_))) return Standing::kOutside;
-  const bool front = faces_viewer({viewport(corners[0], view_), viewport(corners[1], view_), viewport(corners[2], view_)}, view_);
+  const bool front =
+      faces_viewer({viewport(corners[0], view_), viewport(corners[1], view_), viewport(corners[2], view_)}, view_);
   return front || two_sided(face) ? Standing::kDrawn : Standing::kCulled;
 }
 
-Between follow(MotionMethod method, const Scene& first, const Scene& second, const Scene& between, double a, const View& view) {
+Between follow(MotionMethod method, const Scene& first, const Scene& second, const Scene& between, double a,
+               const View& view) {
   if (!same_faces(first, second) || !same_faces(first, between)) {
-    throw Error(fmt::format("{}: its instances or faces are others at another time, so that none can be followed; export it with faces that stay",
-                            between.name));
+    throw Error(
+        fmt::format("{}: its instances or faces are others at another time, so that none can be followed; export it "
+                    "with faces that stay",
+                    between.name));
   }
   const OfKeys<FacePlaces> keys{FacePlaces(first, view), FacePlaces(second, view)};
   Between out;
@@ -187,8 +194,8 @@ OfKeys<std::optional<std::array<glm::dvec2, 3>>> vectors(const Between& between,
   return result;
 }
 
-OfKeys<std::optional<std::array<FixedVector, 3>>> fixed_vectors(const Between& between, std::size_t triangle, int subpixel_bits,
-                                                                const VectorFormat& format) {
+OfKeys<std::optional<std::array<FixedVector, 3>>> fixed_vectors(const Between& between, std::size_t triangle,
+                                                                int subpixel_bits, const VectorFormat& format) {
   const double limit = std::ldexp(1.0, format.range_bits + format.fraction_bits);
   OfKeys<std::optional<std::array<FixedVector, 3>>> result;
   for (int key = 0; key < kKeys; ++key) {

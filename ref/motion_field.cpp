@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ref/motion_field.hpp"
 
-#include <algorithm>
-
 #include "ref/plane.hpp"
 #include "ref/raster.hpp"
 
@@ -16,7 +14,8 @@ template <class Vector, class Visit>
 MotionFieldOf<Vector> field_of(const Between& between, const RasterFormat& format, Visit&& visit) {
   const SnappedList list = snap(between.list, format);
   Frame frame = render(list);
-  MotionFieldOf<Vector> field{list.width, list.height, std::move(frame.index), std::vector<std::uint32_t>(frame.depth.size(), 0), {}};
+  MotionFieldOf<Vector> field{
+      list.width, list.height, std::move(frame.index), std::vector<std::uint32_t>(frame.depth.size(), 0), {}};
   for (auto& vectors : field.to_key) vectors.resize(field.face.size());
   for (std::size_t at = 0; at < field.face.size(); ++at) {
     const std::uint32_t k = field.triangle[at];
@@ -27,8 +26,8 @@ MotionFieldOf<Vector> field_of(const Between& between, const RasterFormat& forma
   return field;
 }
 
-// Of the vertices before they were snapped, at a pixel's centre; none where snapping has given a sliver its area, and the centre is so
-// far outside that nothing could be made of it.
+// Of the vertices before they were snapped, at a pixel's centre; none where snapping has given a sliver its area, and
+// the centre is so far outside that nothing could be made of it.
 std::optional<Weights> unsnapped_weights(const std::array<Vertex, 3>& t, int x, int y) {
   std::array<glm::dvec2, 3> from;
   for (int v = 0; v < 3; ++v) from[v] = glm::dvec2(t[v].x - (x + 0.5), t[v].y - (y + 0.5));
@@ -55,9 +54,13 @@ std::optional<Weights> in_space(const Weights& screen, const std::array<double, 
 class Vectors {
  public:
   Vectors(const Between& between, const RasterFormat& format, VectorMapping mapping)
-      : between_(between), subpixel_bits_(format.subpixel_bits), mapping_(mapping), view_{between.list.width, between.list.height, 0, 0} {}
+      : between_(between),
+        subpixel_bits_(format.subpixel_bits),
+        mapping_(mapping),
+        view_{between.list.width, between.list.height, 0, 0} {}
 
-  void operator()(MotionField& field, std::uint32_t k, const SnappedTriangle& snapped, int x, int y, std::size_t at) const {
+  void operator()(MotionField& field, std::uint32_t k, const SnappedTriangle& snapped, int x, int y,
+                  std::size_t at) const {
     const OrderedTriangle t(snapped);
     const Weights screen = vertex_weights(t, pixel_centre(x, subpixel_bits_), pixel_centre(y, subpixel_bits_));
     const Trace& trace = between_.traces[k - 1];
@@ -97,7 +100,8 @@ MotionField motion_field(const Between& between, const RasterFormat& format, Vec
 }
 
 FixedMotionField motion_field(const Between& between, const RasterFormat& format, const VectorFormat& vector_format) {
-  const auto visit = [&](FixedMotionField& field, std::uint32_t k, const SnappedTriangle& snapped, int x, int y, std::size_t at) {
+  const auto visit = [&](FixedMotionField& field, std::uint32_t k, const SnappedTriangle& snapped, int x, int y,
+                         std::size_t at) {
     const OrderedTriangle t(snapped);
     const auto of_vertices = fixed_vectors(between, k - 1, format.subpixel_bits, vector_format);
     for (int key = 0; key < kKeys; ++key) {
@@ -106,7 +110,8 @@ FixedMotionField motion_field(const Between& between, const RasterFormat& format
       for (int axis = 0; axis < 2; ++axis) {
         const auto& corners = *of_vertices[key];
         const Plane plane(t, {corners[0][axis], corners[1][axis], corners[2][axis]});
-        const Wide numerator = plane.numerator(pixel_centre(x, format.subpixel_bits), pixel_centre(y, format.subpixel_bits));
+        const Wide numerator =
+            plane.numerator(pixel_centre(x, format.subpixel_bits), pixel_centre(y, format.subpixel_bits));
         vector[axis] = static_cast<std::int32_t>(plane.rounded(numerator));
       }
       field.to_key[key][at] = vector;

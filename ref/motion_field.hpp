@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The motion buffer of the reference: for each pixel of a frame between two keys the face that it shows, and where in either key the same
-// point of that face is. Triangles go through the renderer's own snapping and rasterizer.
+// The motion buffer of the reference: for each pixel of a frame between two keys the face that it shows, and where in
+// either key the same point of that face is. Triangles go through the renderer's own snapping and rasterizer.
 #ifndef HALFSPACE_REF_MOTION_FIELD_HPP_
 #define HALFSPACE_REF_MOTION_FIELD_HPP_
 
@@ -16,11 +16,12 @@ namespace halfspace::ref {
 
 enum class VectorMapping {
   kLinear,       // by planes of the vectors over the snapped triangle
-  kPerspective,  // the point of the face that the pixel's centre shows, projected at the key; straight triangles are linear in any case
+  kPerspective,  // the point of the face that the pixel's centre shows, projected at the key; straight triangles are
+                 // linear in any case
 };
 
-// width · height pixels, row 0 on top. Vectors lead from a pixel's centre to a place in key 0 and key 1; the background has none, nor
-// has a point that is nearer than the near plane at that key.
+// width · height pixels, row 0 on top. Vectors lead from a pixel's centre to a place in key 0 and key 1; the background
+// has none, nor has a point that is nearer than the near plane at that key.
 template <class Vector>
 struct MotionFieldOf {
   int width, height;

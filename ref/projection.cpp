@@ -20,7 +20,8 @@ std::vector<ClipPlane> planes_around(const View& view, double left, double right
 
 }  // namespace
 
-glm::dvec4 clip_position(const Viewpoint& viewpoint, const View& view, const glm::dmat4& to_world, const glm::dvec3& position) {
+glm::dvec4 clip_position(const Viewpoint& viewpoint, const View& view, const glm::dmat4& to_world,
+                         const glm::dvec3& position) {
   glm::dvec4 clip = viewpoint.to_clip * (to_world * glm::dvec4(position, 1));
   clip.x += 2 * view.shift_x / view.width * clip.w;
   clip.y -= 2 * view.shift_y / view.height * clip.w;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a point of the scene to a point of the frame. Whoever follows points over time takes the same steps as the geometry stage, so
-// that both have the same bits.
+// From a point of the scene to a point of the frame. Whoever follows points over time takes the same steps as the
+// geometry stage, so that both have the same bits.
 #ifndef HALFSPACE_REF_PROJECTION_HPP_
 #define HALFSPACE_REF_PROJECTION_HPP_
 
@@ -15,9 +15,9 @@
 namespace halfspace::ref {
 
 struct View {
-  int width, height;  // pixels
-  int range_bits;     // positions come out inside [-2^(range_bits-1) + 1, 2^(range_bits-1) - 1] pixels
-  int subpixel_bits;  // of the raster: culling goes by the sign of the area as snapped
+  int width, height;                // pixels
+  int range_bits;                   // positions come out inside [-2^(range_bits-1) + 1, 2^(range_bits-1) - 1] pixels
+  int subpixel_bits;                // of the raster: culling goes by the sign of the area as snapped
   double shift_x = 0, shift_y = 0;  // pixels that the picture is moved to the right and down, before it is clipped
 };
 

@@ -46,7 +46,8 @@ TEST(AnimatedScenes, MoveAndStayInTheFrame) {
     ASSERT_GE(start.duration, 1);
     EXPECT_EQ(load_scene(name, 0.4).instances[0].to_world == start.instances[0].to_world, name == "cube_zoom");
     EXPECT_EQ(load_scene(name, -1).instances[0].to_world, start.instances[0].to_world);
-    EXPECT_EQ(load_scene(name, start.duration + 1).instances[0].to_world, load_scene(name, start.duration).instances[0].to_world);
+    EXPECT_EQ(load_scene(name, start.duration + 1).instances[0].to_world,
+              load_scene(name, start.duration).instances[0].to_world);
     const Viewpoint eye = viewpoint(start, 4 / 3.0);
     std::size_t most = 0, least = 1000000;
     for (int frame = 0; frame <= start.duration / kFrame; ++frame) {
@@ -118,8 +119,8 @@ TEST(Follow, ExactIsTheFrameOfThatTimeAndStraightIsNot) {
     const FacePlaces here(t.between, kView), from(t.first, kView), to(t.second, kView);
     double off = 0;
     for (std::size_t k = 0; k < straight.traces.size(); ++k) {
-      const auto places = here.screen(straight.traces[k].face).value(), a = from.screen(straight.traces[k].face).value(),
-                 b = to.screen(straight.traces[k].face).value();
+      const auto places = here.screen(straight.traces[k].face).value(),
+                 a = from.screen(straight.traces[k].face).value(), b = to.screen(straight.traces[k].face).value();
       for (int v = 0; v < 3; ++v) {
         const Vertex& at = straight.list.triangles[k][v];
         EXPECT_NEAR(at.x, a[v].x + 0.4 * (b[v].x - a[v].x), 1e-9);
@@ -204,7 +205,8 @@ TEST(Vectors, RotationOfThePicture) {
       const glm::dvec2 arm(i % 160 + 0.5 - 80, i / 160 + 0.5 - 60);
       for (int key = 0; key < kKeys; ++key) {
         const double turn = angle[2] - angle[key];  // rows go downward
-        const glm::dvec2 expected(arm.x * std::cos(turn) - arm.y * std::sin(turn), arm.x * std::sin(turn) + arm.y * std::cos(turn));
+        const glm::dvec2 expected(arm.x * std::cos(turn) - arm.y * std::sin(turn),
+                                  arm.x * std::sin(turn) + arm.y * std::cos(turn));
         ASSERT_LT(glm::distance(field.to_key[key][i].value(), expected - arm), bound);
       }
       ++pixels;
@@ -230,10 +232,15 @@ glm::dvec3 world(const Scene& scene, const FaceOf& face, int v) {
   return face.instance->to_world * glm::dvec4(scene.meshes[face.instance->mesh].positions[face.corner[v]], 1);
 }
 
-// A pixel's ray meets the plane of its face; that point of the surface, moved to the key and projected. None behind its near plane.
+// A pixel's ray meets the plane of its face; that point of the surface, moved to the key and projected. None behind its
+// near plane.
 class Rays {
  public:
-  explicit Rays(const Times& t) : t_(t), scenes_{&t.first, &t.second}, faces_(faces_of(t.between)), key_faces_{faces_of(t.first), faces_of(t.second)} {
+  explicit Rays(const Times& t)
+      : t_(t),
+        scenes_{&t.first, &t.second},
+        faces_(faces_of(t.between)),
+        key_faces_{faces_of(t.first), faces_of(t.second)} {
     const double aspect = double(kView.width) / kView.height;
     from_clip_ = glm::inverse(viewpoint(t.between, aspect).to_clip);
     for (int key = 0; key < kKeys; ++key) to_clip_[key] = viewpoint(*scenes_[key], aspect).to_clip;
@@ -245,9 +252,11 @@ class Rays {
     const glm::dvec3 start = glm::dvec3(near) / near.w, way = glm::dvec3(far) / far.w - start;
     const FaceOf &here = faces_[face - 1], &there = key_faces_[key][face - 1];
     const glm::dvec3 p = world(t_.between, here, 0);
-    const glm::dvec3 uv = glm::inverse(glm::dmat3(world(t_.between, here, 1) - p, world(t_.between, here, 2) - p, -way)) * (start - p);
+    const glm::dvec3 uv =
+        glm::inverse(glm::dmat3(world(t_.between, here, 1) - p, world(t_.between, here, 2) - p, -way)) * (start - p);
     const glm::dvec3 q = world(*scenes_[key], there, 0);
-    const glm::dvec3 moved = q + uv.x * (world(*scenes_[key], there, 1) - q) + uv.y * (world(*scenes_[key], there, 2) - q);
+    const glm::dvec3 moved =
+        q + uv.x * (world(*scenes_[key], there, 1) - q) + uv.y * (world(*scenes_[key], there, 2) - q);
     const glm::dvec4 clip = to_clip_[key] * glm::dvec4(moved, 1);
     if (clip.z < -1e-6 * clip.w || clip.w <= 0) return std::nullopt;
     return glm::dvec2(kView.width * (clip.x / clip.w + 1) / 2, kView.height * (1 - clip.y / clip.w) / 2) - centre;
@@ -269,7 +278,8 @@ struct Seen {
 Seen compare_with_rays(const Times& t) {
   const Between between = t.follow(MotionMethod::kExact);
   const Frame frame = render(snap(Geometry(t.between, kView).positions(), kFormat));
-  const MotionField exact = motion_field(between, kFormat, VectorMapping::kPerspective), linear = motion_field(between, kFormat, VectorMapping::kLinear);
+  const MotionField exact = motion_field(between, kFormat, VectorMapping::kPerspective),
+                    linear = motion_field(between, kFormat, VectorMapping::kLinear);
   EXPECT_EQ(exact.triangle, frame.index);
   const Rays rays(t);
   Seen seen;
@@ -303,11 +313,12 @@ TEST(Field, AgreesWithRays) {
       EXPECT_LT(seen.perspective, 1e-6);
       EXPECT_GT(seen.vectors, 500);
       EXPECT_EQ(seen.absent, 0);
-      worst.perspective = std::max(worst.perspective, seen.perspective), worst.linear = std::max(worst.linear, seen.linear);
+      worst.perspective = std::max(worst.perspective, seen.perspective),
+      worst.linear = std::max(worst.linear, seen.linear);
       worst.vectors += seen.vectors;
     }
-    std::printf("%-14s %7d vectors: perspective-correct within %.1e pixels, planes within %.4f\n", name.c_str(), worst.vectors,
-                worst.perspective, worst.linear);
+    std::printf("%-14s %7d vectors: perspective-correct within %.1e pixels, planes within %.4f\n", name.c_str(),
+                worst.vectors, worst.perspective, worst.linear);
   }
 }
 
@@ -325,12 +336,14 @@ TEST(Field, FixedWithinItsBound) {
     for (std::size_t i = 0; i < fixed.face.size(); ++i) {
       for (int key = 0; fixed.face[i] != 0 && key < kKeys; ++key) {
         for (int axis = 0; axis < 2; ++axis)
-          off = std::max(off, std::abs(std::ldexp(fixed.to_key[key][i].value()[axis], -4) - linear.to_key[key][i].value()[axis]));
+          off = std::max(
+              off, std::abs(std::ldexp(fixed.to_key[key][i].value()[axis], -4) - linear.to_key[key][i].value()[axis]));
       }
     }
     EXPECT_LE(off, bound);
     EXPECT_GT(off, bound / 4);
-    std::printf("%-14s s%d.%d off by %.4f pixels of %.4f\n", name.c_str(), vector_format.range_bits, vector_format.fraction_bits, off, bound);
+    std::printf("%-14s s%d.%d off by %.4f pixels of %.4f\n", name.c_str(), vector_format.range_bits,
+                vector_format.fraction_bits, off, bound);
   }
 }
 
@@ -344,14 +357,17 @@ Scene one_triangle(const std::array<glm::dvec3, 3>& corners, bool two_sided = fa
   scene.materials[0].two_sided = two_sided;
   const std::array<glm::dvec3, 3> mark{{{-30, 20, -50}, {-25, 20, -50}, {-30, 24, -50}}};
   for (const auto& t : {corners, mark}) {
-    scene.meshes.push_back({"triangle", {t.begin(), t.end()}, std::vector<glm::dvec3>(3, {0, 0, 1}), {}, {}, {{0, 1, 2}}, 0});
+    scene.meshes.push_back(
+        {"triangle", {t.begin(), t.end()}, std::vector<glm::dvec3>(3, {0, 0, 1}), {}, {}, {{0, 1, 2}}, 0});
     scene.instances.push_back({int(scene.meshes.size()) - 1, glm::dmat4(1)});
   }
   scene.camera = camera_at_origin();
   return scene;
 }
 const std::array<glm::dvec3, 3> kTriangle{{{-1, -1, -5}, {1, -1, -6}, {0, 1, -5}}};
-std::array<glm::dvec3, 3> moved(const glm::dvec3& by) { return {kTriangle[0] + by, kTriangle[1] + by, kTriangle[2] + by}; }
+std::array<glm::dvec3, 3> moved(const glm::dvec3& by) {
+  return {kTriangle[0] + by, kTriangle[1] + by, kTriangle[2] + by};
+}
 Times moving(const glm::dvec3& from, const glm::dvec3& to, double a) {
   return {one_triangle(moved(from)), one_triangle(moved(to)), one_triangle(moved(glm::mix(from, to, a))), a};
 }
@@ -407,7 +423,8 @@ TEST(Edges, EntersAndLeaves) {
 TEST(Edges, MovesByMoreThanTheFormatHas) {
   const Between between = moving({-20, 0, 0}, {0, 0, 0}, 0.9).follow(MotionMethod::kExact);
   EXPECT_GT(-vectors(between, 0)[0].value()[0].x, kView.width);
-  const auto narrow = fixed_vectors(between, 0, kFormat.subpixel_bits, {8, 4}), wide = fixed_vectors(between, 0, kFormat.subpixel_bits, {9, 4});
+  const auto narrow = fixed_vectors(between, 0, kFormat.subpixel_bits, {8, 4}),
+             wide = fixed_vectors(between, 0, kFormat.subpixel_bits, {9, 4});
   EXPECT_FALSE(narrow[0]);
   EXPECT_TRUE(narrow[1]);
   ASSERT_TRUE(wide[0]);
@@ -440,8 +457,8 @@ TEST(Edges, RangeOfTheFormat) {
   EXPECT_FALSE(at(24 - 0.125));
 }
 
-// No vertex's vector to the key, so no plane; in perspective the points that were before the near plane have theirs. Without a place
-// on the screen at a key there is no straight line, and the face is at its exact place.
+// No vertex's vector to the key, so no plane; in perspective the points that were before the near plane have theirs.
+// Without a place on the screen at a key there is no straight line, and the face is at its exact place.
 TEST(Edges, CrossesTheNearPlane) {
   const Times t = moving({0, 0, 4.5}, {0, 0, 0}, 0.5);
   EXPECT_EQ(standing(t.first), Standing::kCrossing);
@@ -449,7 +466,8 @@ TEST(Edges, CrossesTheNearPlane) {
   const Between exact = t.follow(MotionMethod::kExact), straight = t.follow(MotionMethod::kStraight);
   EXPECT_FALSE(vectors(exact, 0)[0]);
   EXPECT_TRUE(vectors(exact, 0)[1]);
-  const Count linear = count(motion_field(exact, kFormat, VectorMapping::kLinear)), perspective = count(motion_field(exact, kFormat, VectorMapping::kPerspective));
+  const Count linear = count(motion_field(exact, kFormat, VectorMapping::kLinear)),
+              perspective = count(motion_field(exact, kFormat, VectorMapping::kPerspective));
   ASSERT_GT(linear.pixels, 500);
   EXPECT_EQ(linear.with, (OfKeys<int>{0, linear.pixels}));
   EXPECT_GT(perspective.with[0], 0);
@@ -477,7 +495,8 @@ TEST(Edges, BehindTheViewerAtAKey) {
   EXPECT_EQ(t.follow(MotionMethod::kStraight).fallen_back, 1u);
 }
 
-// A floor through the near plane: vertices that clipping made follow their own point of the floor, and stay where nothing moves.
+// A floor through the near plane: vertices that clipping made follow their own point of the floor, and stay where
+// nothing moves.
 TEST(Edges, ClippedInBetween) {
   const auto floor = [](double x, double z) {
     Scene scene = one_triangle({{{-4 + x, -1, -20 + z}, {4 + x, -1, -20 + z}, {x, -1, 5 + z}}}, true);
@@ -497,7 +516,8 @@ TEST(Edges, ClippedInBetween) {
   EXPECT_LT(seen.perspective, 1e-6);
   EXPECT_GT(seen.vectors, 5000);
   EXPECT_EQ(seen.absent, 0);
-  std::printf("floor through the near plane: perspective-correct within %.1e pixels, planes within %.4f\n", seen.perspective, seen.linear);
+  std::printf("floor through the near plane: perspective-correct within %.1e pixels, planes within %.4f\n",
+              seen.perspective, seen.linear);
 }
 
 // Its place at the key is known, and the key's frame does not show it: the index there says so.
@@ -542,7 +562,8 @@ TEST(Edges, FacesThatChangeAreRefused) {
     follow(MotionMethod::kExact, t.first, other, t.between, 0.5, kView);
     FAIL() << "not refused";
   } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("one triangle: its instances or faces"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("one triangle: its instances or faces"), std::string::npos)
+        << error.what();
   }
 }
 
