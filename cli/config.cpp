@@ -22,7 +22,8 @@ Json config_json(const Configuration& configuration) {
   Json json = {{"name", configuration.name()}};
   json.update(to_json(c));
   const FormatTable table = format_table(c);
-  for (const auto* fields : {&vectors::format_fields(), &vectors::lighting_format_fields(), &vectors::texture_format_fields()}) {
+  for (const auto* fields : {&vectors::format_fields(), &vectors::lighting_format_fields(), &vectors::texture_format_fields(),
+                             &vectors::motion_format_fields()}) {
     for (const auto& field : *fields) {
       if (!field.is_used(c)) continue;
       const NumberFormat format = table.*field.format;
@@ -54,28 +55,22 @@ void print_table(const std::vector<Configuration>& configurations, bool markdown
     }
   };
   numbers(vectors::config_fields());
-  std::vector<std::string> shadings, architectures;
-  for (const Configuration& c : configurations) {
-    shadings.push_back(vectors::shading_name(c.config().shading));
-    architectures.push_back(vectors::architecture_name(c.config().architecture));
-  }
-  row("shading", shadings, vectors::kShadingWhat);
-  row("architecture", architectures, vectors::kArchitectureWhat);
-  const bool lit = std::any_of(configurations.begin(), configurations.end(),
-                               [](const Configuration& c) { return has_lighting(c.config()); });
+  auto choice = [&](const char* name) {
+    std::vector<std::string> cells;
+    for (const Configuration& c : configurations) cells.push_back(vectors::choice_name(name, c.config()));
+    row(name, cells, vectors::choice_field(name).what);
+  };
+  auto any = [&](bool (*is)(const Config&)) {
+    return std::any_of(configurations.begin(), configurations.end(), [&](const Configuration& c) { return is(c.config()); });
+  };
+  choice("shading");
+  choice("architecture");
+  const bool lit = any(has_lighting), textured = any(has_texture), moves = any(has_motion);
   if (lit) numbers(vectors::lighting_fields());
-  const bool textured = std::any_of(configurations.begin(), configurations.end(),
-                                    [](const Configuration& c) { return has_texture(c.config()); });
-  if (textured) {
-    std::vector<std::string> textures, mappings;
-    for (const Configuration& c : configurations) {
-      textures.push_back(vectors::texture_name(c.config().texture));
-      mappings.push_back(vectors::mapping_name(c.config().mapping));
-    }
-    row("texture", textures, vectors::kTextureWhat);
-    row("mapping", mappings, vectors::kMappingWhat);
-    numbers(vectors::texture_fields());
-  }
+  if (textured) choice("texture");
+  if (textured || moves) choice("mapping");
+  if (textured) numbers(vectors::texture_fields());
+  if (moves) choice("filter"), numbers(vectors::motion_fields());
   auto formats = [&](const std::vector<vectors::FormatField>& fields) {
     for (const auto& field : fields) {
       std::vector<std::string> cells;
@@ -88,7 +83,8 @@ void print_table(const std::vector<Configuration>& configurations, bool markdown
   };
   formats(vectors::format_fields());
   if (lit) formats(vectors::lighting_format_fields());
-  if (textured) formats(vectors::texture_format_fields());
+  if (textured || moves) formats(vectors::texture_format_fields());
+  if (moves) formats(vectors::motion_format_fields());
 }
 
 struct Options {

@@ -163,7 +163,7 @@ void fit(const Options& options) {
   for (const std::string& line : gone) fmt::print("  {}\n", line);
   const Configuration high = vectors::find_configuration("high");
   if (!found.architecture.why.empty()) {
-    fmt::print("type {}: {}\n", vectors::architecture_name(found.configuration.config().architecture), found.architecture.why);
+    fmt::print("type {}: {}\n", vectors::choice_name("architecture", found.configuration.config()), found.architecture.why);
   }
   print_numbers(found, high);
   const std::string work = options.work.empty() ? "fit_" + name : options.work;

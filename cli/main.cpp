@@ -40,12 +40,10 @@ Json to_json(const vectors::Accuracy& a) {
 Json to_json(const Config& config) {
   Json json;
   for (const auto& field : vectors::config_fields()) json[field.name] = config.*field.value;
-  json["shading"] = vectors::shading_name(config.shading);
-  json["architecture"] = vectors::architecture_name(config.architecture);
+  for (const auto& field : vectors::choice_fields()) json[field.name] = vectors::choice_name(field.name, config);
   for (const auto& field : vectors::lighting_fields()) json[field.name] = config.*field.value;
-  json["texture"] = vectors::texture_name(config.texture);
-  json["mapping"] = vectors::mapping_name(config.mapping);
   for (const auto& field : vectors::texture_fields()) json[field.name] = config.*field.value;
+  for (const auto& field : vectors::motion_fields()) json[field.name] = config.*field.value;
   return json;
 }
 

@@ -94,7 +94,7 @@ ref::Frame draw_by(const Options& options, const LoadedScene& loaded, Counts& co
     // Textures of a configuration that has them are as it can hold them.
     scene = has_texture(config) ? *loaded.scene : ref::load_scene(options.input.scene, options.input.time, !options.texture.empty());
     geometry.emplace(*scene, ref::View{list.width, list.height, list.format.range_bits, list.format.subpixel_bits});
-    const std::string given = vectors::shading_name(config.shading);
+    const std::string given = vectors::choice_name("shading", config);
     surface = ref::lit_surface(*geometry, list, kind_of(ref::kShadingModes, options.shading.empty() ? given : options.shading));
     if (!options.texture.empty()) {
       const ref::TextureMode mode{options.texture == "nearest" ? ref::TextureFilter::kNearest : ref::TextureFilter::kBilinear,
@@ -106,7 +106,7 @@ ref::Frame draw_by(const Options& options, const LoadedScene& loaded, Counts& co
   }
   ref::Drawing drawing = ref::draw(list, *surface, architecture, true, {}, circuit_of(loaded.configuration, options.lanes));
   counts.rates = all_rates(drawing.rates);
-  if (options.shading.empty() || options.shading == vectors::shading_name(config.shading)) {
+  if (options.shading.empty() || options.shading == vectors::choice_name("shading", config)) {
     counts.buffers = to_json(drawing.buffers, bits_of(architecture, config));
   }
   fmt::print("{}: {} fragments, {} passed the Z-test; {} lightings, {} texels\n", name_of(architecture), drawing.rates.fragments,

@@ -8,8 +8,9 @@
 namespace halfspace {
 
 // Gouraud: colours are planes over a triangle. Flat: a triangle has one colour, that of its first vertex as given. Phong: normals
-// are planes, and each visible pixel is lit.
-enum class Shading { kGouraud, kFlat, kPhong };
+// are planes, and each visible pixel is lit. Motion: a frame between two key frames; places in these are planes, and a visible
+// pixel comes to vectors to them, which motion_compensate fetches its colour along.
+enum class Shading { kGouraud, kFlat, kPhong, kMotion };
 
 // Index rendering, where the depth of a pixel comes from that a fragment is tested against. Type δ: a Z-buffer keeps it.
 // Type γ: there is none; the plane of the triangle whose index is stored is fetched from TdbV and evaluated again.
@@ -18,9 +19,13 @@ enum class Architecture { kDelta, kGamma };
 // Texture at scan-out: none, the texel that a pixel's centre lies in, or four of them weighted.
 enum class TextureFilter { kNone, kNearest, kBilinear };
 
-// How texture coordinates vary over a triangle on the screen: by planes of u and v, or by planes of u/w, v/w and 1/w and
-// a division a pixel.
+// How texture coordinates, or places in a key frame, vary over a triangle on the screen: by planes of u and v, or by planes of
+// u/w, v/w and 1/w and a division a pixel.
 enum class TextureMapping { kAffine, kPerspective };
+
+// What motion_compensate takes of a key frame: the pixel that a place lies in; two by two, weighted by distance along each axis, or
+// by area and distance; or four by four, with the weights of Catmull and Rom.
+enum class KeyFilter { kNone, kNearest, kBilinear, kArea, kBicubic };
 
 // A configuration, as in its .toml file. Nothing here can be derived from the rest. What is not there has no numbers: they
 // are 0.
@@ -51,6 +56,14 @@ struct Config {
   int textures = 0;             // a frame
   int coordinate_bits = 0;      // b of a texture coordinate
   int coordinate_fraction = 0;  // g of the planes of texture coordinates
+  // Frames between key frames; all 0 unless shading is kMotion, whose places have the mapping, b and g of texture coordinates.
+  KeyFilter filter = KeyFilter::kNone;
+  int vector_range = 0;     // a component of a vector lies in [−2^vector_range, 2^vector_range) pixels
+  int vector_fraction = 0;  // and is a multiple of 2^−vector_fraction
+  int weight_bits = 0;      // weights, of key frames and of their pixels, are multiples of 2^−weight_bits
+  int face_bits = 0;        // of the number of a face, 1 … 2^face_bits − 1
+  int relight = 0;          // 1: planes of what the colour in between differs by from a key's
+  int samples = 0;          // pixels of the frame in between a pixel of a key frame, each way: 1, 2, 4
 };
 
 constexpr bool has_depth(const Config& c) { return c.depth_bits != 0; }
@@ -66,16 +79,25 @@ constexpr bool has_gloss(const Config& c) { return c.gloss != 0; }
 constexpr bool has_texture(const Config& c) { return c.texture != TextureFilter::kNone; }
 constexpr bool is_bilinear(const Config& c) { return c.texture == TextureFilter::kBilinear; }
 constexpr bool has_perspective(const Config& c) { return c.mapping == TextureMapping::kPerspective; }
-// Whether normals and texture coordinates of a triangle come after it has turned out visible (deferred shading).
-constexpr bool is_deferred(const Config& c) { return has_lighting(c) || has_texture(c); }
+constexpr bool has_motion(const Config& c) { return c.shading == Shading::kMotion; }
+constexpr bool relights(const Config& c) { return c.relight != 0; }
+// Whether there are planes of coordinates: of a texture, or of places in key frames.
+constexpr bool has_coordinates(const Config& c) { return has_texture(c) || has_motion(c); }
+// Whether normals, texture coordinates or motion of a triangle come after it has turned out visible (deferred shading).
+constexpr bool is_deferred(const Config& c) { return has_lighting(c) || has_coordinates(c); }
+// Whether triangles come with colours.
+constexpr bool has_colours(const Config& c) { return !has_lighting(c) && !has_motion(c); }
 // Whether what comes after the setup of triangles needs their shape, for planes.
-constexpr bool sends_shape(const Config& c) { return shades_planes(c) || has_texture(c); }
+constexpr bool sends_shape(const Config& c) { return shades_planes(c) || has_coordinates(c); }
 // Whether values come for the vertices in the order given, after the setup has put these in its own.
-constexpr bool orders_vertices(const Config& c) { return (has_lighting(c) && shades_planes(c)) || has_texture(c); }
+constexpr bool orders_vertices(const Config& c) { return (has_lighting(c) && shades_planes(c)) || has_coordinates(c); }
 // Whether a triangle has a plane at all, and needs the reciprocal of its area.
 constexpr bool has_planes(const Config& c) { return has_depth(c) || sends_shape(c); }
 // Bits of a component of a normal, with its sign, as a plane has it; 0 without Phong shading.
 constexpr int normal_plane_bits(const Config& c) { return is_phong(c) ? c.normal_bits + 1 : 0; }
+// Whether there are planes of colours, or of their differences; and bits of a channel of them.
+constexpr bool has_colour_planes(const Config& c) { return is_gouraud(c) || relights(c); }
+constexpr int colour_plane_bits(const Config& c) { return relights(c) ? c.colour_bits + 1 : c.colour_bits; }
 
 // Bits that hold 0 … n.
 constexpr int bits_for(std::int64_t n) { return n < 2 ? 1 : 1 + bits_for(n / 2); }
@@ -140,6 +162,14 @@ enum class Refusal {
   kTexels,              // 4 … 2^20, a power of two: the place of a texel, shifted for its texture, is one word
   kTextures,            // 1 … 256
   kIdleTexture,         // a number of texture where there is none
+  kMotionShading,       // a frame in between is neither lit nor textured
+  kFilter,              // there is one
+  kVector,              // range 1 … 13, fraction 1 … 8
+  kWeightBits,          // 2 … 8
+  kFaceBits,            // 1 … 22
+  kRelight,             // 0, 1
+  kSamples,             // 1, 2, 4
+  kIdleMotion,          // a number of motion where there is none
 };
 
 // |error| <= 2^(b−r) + (|dx| + |dy|)·2^−(g+1) < ½ LSB, for the farthest vertex that a pixel of the frame can be measured
@@ -161,53 +191,69 @@ constexpr Refusal refusal(const Config& c) {
   if (!within(c.lanes, 1, 16) || c.lanes != 1 << exact_log2(c.lanes)) return Refusal::kLanes;
   if (is_phong(c) && !has_lighting(c)) return Refusal::kUnlitPhong;
   if ((has_planes(c) && !within(c.reciprocal_bits, 2, 40)) || (has_depth(c) && !within(c.depth_fraction, 1, 40)) ||
-      (is_gouraud(c) && !within(c.colour_fraction, 1, 40)) || (is_phong(c) && !within(c.normal_fraction, 1, 40)) ||
-      (has_texture(c) && !within(c.coordinate_fraction, 1, 40))) {
+      (has_colour_planes(c) && !within(c.colour_fraction, 1, 40)) ||
+      (is_phong(c) && !within(c.normal_fraction, 1, 40)) ||
+      (has_coordinates(c) && !within(c.coordinate_fraction, 1, 40))) {
     return Refusal::kFractionBits;
   }
   if ((!has_planes(c) && c.reciprocal_bits != 0) || (!has_depth(c) && c.depth_fraction != 0) ||
-      (!is_gouraud(c) && c.colour_fraction != 0) || (!is_phong(c) && c.normal_fraction != 0)) {
+      (!has_colour_planes(c) && c.colour_fraction != 0) || (!is_phong(c) && c.normal_fraction != 0)) {
     return Refusal::kIdleBits;
   }
   if (tests_planes(c) && !has_depth(c)) return Refusal::kIdleArchitecture;
   if (is_phong(c) && !within(c.normal_bits, 9, 16)) return Refusal::kNormalBits;
+  if (has_motion(c) && (has_lighting(c) || has_texture(c))) return Refusal::kMotionShading;
+  if (has_coordinates(c) && !within(c.coordinate_bits, 10, 24)) return Refusal::kCoordinateBits;
   if (has_texture(c)) {
-    if (!within(c.coordinate_bits, 10, 24)) return Refusal::kCoordinateBits;
     if (!within(c.texels, 4, 1 << 20) || c.texels != 1 << exact_log2(c.texels)) return Refusal::kTexels;
     if (!within(c.textures, 1, 256)) return Refusal::kTextures;
-  } else if (has_perspective(c) || c.texels != 0 || c.textures != 0 || c.coordinate_bits != 0 ||
-             c.coordinate_fraction != 0) {
+  } else if (c.texels != 0 || c.textures != 0) {
     return Refusal::kIdleTexture;
+  }
+  if (!has_coordinates(c) && (has_perspective(c) || c.coordinate_bits != 0 || c.coordinate_fraction != 0)) {
+    return Refusal::kIdleTexture;
+  }
+  if (has_motion(c)) {
+    if (c.filter == KeyFilter::kNone) return Refusal::kFilter;
+    if (!within(c.vector_range, 1, 13) || !within(c.vector_fraction, 1, 8)) return Refusal::kVector;
+    if (!within(c.weight_bits, 2, 8)) return Refusal::kWeightBits;
+    if (!within(c.face_bits, 1, 22)) return Refusal::kFaceBits;
+    if (!within(c.relight, 0, 1)) return Refusal::kRelight;
+    if (!within(c.samples, 1, 4) || c.samples == 3) return Refusal::kSamples;
+  } else if (c.filter != KeyFilter::kNone || c.vector_range != 0 || c.vector_fraction != 0 || c.weight_bits != 0 ||
+             c.face_bits != 0 || c.relight != 0 || c.samples != 0) {
+    return Refusal::kIdleMotion;
   }
   const int longer_side = c.width > c.height ? c.width : c.height;
   const int margin = 3 * 4;  // pixels of the stamps around the frame, 4 at most each way
   if (!within(c.range_bits, 1, 20) || longer_side + margin > 1 << (c.range_bits - 1)) return Refusal::kFrameOutsideRange;
   if (has_depth(c) && !plane_error_ok(c, c.depth_bits, c.depth_fraction)) return Refusal::kDepthError;
-  if (is_gouraud(c) && !plane_error_ok(c, c.colour_bits, c.colour_fraction)) return Refusal::kColourError;
+  const int colour = colour_plane_bits(c);
+  if (has_colour_planes(c) && !plane_error_ok(c, colour, c.colour_fraction)) return Refusal::kColourError;
   const int normal = normal_plane_bits(c);
   if (is_phong(c) && !plane_error_ok(c, normal, c.normal_fraction)) return Refusal::kNormalError;
   const int coordinate = c.coordinate_bits;
-  if (has_texture(c) && !plane_error_ok(c, coordinate, c.coordinate_fraction)) return Refusal::kCoordinateError;
+  if (has_coordinates(c) && !plane_error_ok(c, coordinate, c.coordinate_fraction)) return Refusal::kCoordinateError;
   const int fraction =
       max_of(max_of(c.depth_fraction, c.colour_fraction), max_of(c.normal_fraction, c.coordinate_fraction));
   if (has_planes(c) && c.reciprocal_bits < c.subpixel_bits + fraction) return Refusal::kReciprocalShort;
   const int position = c.range_bits + c.subpixel_bits;
-  const int value = max_of(max_of(c.depth_bits, c.colour_bits), max_of(normal, coordinate));
+  const int value = max_of(max_of(c.depth_bits, colour), max_of(normal, coordinate));
   const int numerator = value + position + 1;
   if (2 * position + 3 > 64) return Refusal::kEdgeWord;
   if (numerator + 2 > 64) return Refusal::kNumeratorWord;  // the sum of its two products, as types grow
   if (numerator - 24 + c.reciprocal_bits + 1 > 63 || 24 + c.reciprocal_bits + 1 > 63) return Refusal::kGradientWord;
   // n of gradient_product, where D is largest: the half that is added is 2^(n−1).
   const int n = 2 * position - 1 + c.reciprocal_bits - c.subpixel_bits;
-  if ((has_depth(c) && n - c.depth_fraction > 63) || (is_gouraud(c) && n - c.colour_fraction > 63) ||
-      (is_phong(c) && n - c.normal_fraction > 63) || (has_texture(c) && n - c.coordinate_fraction > 63)) {
+  if ((has_depth(c) && n - c.depth_fraction > 63) || (has_colour_planes(c) && n - c.colour_fraction > 63) ||
+      (is_phong(c) && n - c.normal_fraction > 63) || (has_coordinates(c) && n - c.coordinate_fraction > 63)) {
     return Refusal::kGradientWord;
   }
-  if (c.depth_bits + c.depth_fraction + c.subpixel_bits > 63 || c.colour_bits + c.colour_fraction + c.subpixel_bits > 63 ||
+  if (c.depth_bits + c.depth_fraction + c.subpixel_bits > 63 || colour + c.colour_fraction + c.subpixel_bits > 63 ||
       normal + c.normal_fraction + c.subpixel_bits > 63 || coordinate + c.coordinate_fraction + c.subpixel_bits > 63) {
     return Refusal::kStartWord;
   }
-  const int plane = max_of(max_of(c.colour_bits + c.colour_fraction, normal + c.normal_fraction),
+  const int plane = max_of(max_of(colour + c.colour_fraction, normal + c.normal_fraction),
                            coordinate + c.coordinate_fraction);
   if (plane + bits_for(longer_side) > 64) return Refusal::kShadeWord;
   if (tests_planes(c) && c.depth_bits + c.depth_fraction + bits_for(longer_side) > 64) return Refusal::kTestWord;

@@ -29,6 +29,9 @@ struct FormatTable {
   NumberFormat coordinate, coordinate_plane, coordinate_gradient, coordinate_numerator;
   NumberFormat coordinate_start, coordinate_start_gradient;
   NumberFormat inverse, inverse_shift, texel_place, filtered;
+  NumberFormat face, origin, extent, vector, key_weight;
+  NumberFormat difference, difference_plane, difference_gradient, difference_numerator;
+  NumberFormat difference_start, difference_start_gradient;
 };
 
 // A coefficient of a material, in LSB of the colour: 2^kCoefficientHead times full scale, so that a light brighter than
@@ -109,9 +112,29 @@ constexpr FormatTable lighting_formats(const Config& c, FormatTable t) {
   return t;
 }
 
+// The numbers of frames between key frames; without them no record carries one, and the types are idle.
+constexpr FormatTable motion_formats(const Config& c, FormatTable t) {
+  const int faces = has_motion(c) ? c.face_bits : 1;
+  t.face = {faces, faces, false};  // 0: background
+  // Where the places of a triangle in a key frame begin, in whole pixels, and log2 of how far they go at most: positions.
+  t.origin = {c.range_bits, c.range_bits, true};
+  t.extent = {bits_for(c.range_bits), bits_for(c.range_bits), false};
+  t.vector = {c.vector_range + 1 + c.vector_fraction, c.vector_range + 1, true};
+  t.key_weight = {c.weight_bits + 1, 1, false};  // 0 … 1
+  // A difference of colours plus 2^c is a whole number without a sign, as the other channels are.
+  const ChannelFormats difference = channel_formats(c, c.colour_bits + 1, c.colour_fraction);
+  t.difference = difference.value;
+  t.difference_plane = difference.plane;
+  t.difference_gradient = difference.gradient;
+  t.difference_numerator = difference.numerator;
+  t.difference_start = difference.start;
+  t.difference_start_gradient = difference.start_gradient;
+  return t;
+}
+
 // The numbers of texture; without it no record carries one, and the types are idle.
 constexpr FormatTable texture_formats(const Config& c, FormatTable t) {
-  const int b = has_texture(c) ? c.coordinate_bits : 10, memory = has_texture(c) ? exact_log2(c.texels) : 2;
+  const int b = has_coordinates(c) ? c.coordinate_bits : 10, memory = has_texture(c) ? exact_log2(c.texels) : 2;
   // log2 of the longest side: the other has one texel, or two in banks.
   const int side = is_bilinear(c) ? memory - 1 : memory;
   // 0: none; 1 … textures.
@@ -176,7 +199,7 @@ constexpr FormatTable format_table(const Config& c) {
   t.colour_numerator = colour.numerator;
   t.colour_start = colour.start;
   t.colour_start_gradient = colour.start_gradient;
-  return texture_formats(c, lighting_formats(c, t));
+  return motion_formats(c, texture_formats(c, lighting_formats(c, t)));
 }
 
 // Stamps that `pixels` pixels take, `lanes` a stamp.
@@ -219,6 +242,9 @@ struct Formats {
   static constexpr bool kHasPlanes = has_planes(config());
   static constexpr bool kHasTexture = has_texture(config()), kBilinear = is_bilinear(config());
   static constexpr bool kPerspective = has_perspective(config());
+  static constexpr bool kHasMotion = has_motion(config()), kRelights = relights(config());
+  static constexpr bool kHasColours = has_colours(config());
+  static constexpr KeyFilter kFilter = config().filter;
   static constexpr bool kSendsShape = sends_shape(config()), kOrdersVertices = orders_vertices(config());
   static constexpr bool kStoresDepth = stores_depth(config()), kTestsPlanes = tests_planes(config());
   // Whether ztest_plane is compiled: refusal() holds the words of its products for type γ alone.
@@ -228,6 +254,8 @@ struct Formats {
   using CompilesLighting = std::integral_constant<bool, kHasLighting>;
   // And with texture_setup and shade_texture.
   using CompilesTexture = std::integral_constant<bool, kHasTexture>;
+  // And with motion_setup, motion_field and motion_compensate.
+  using CompilesMotion = std::integral_constant<bool, kHasMotion>;
   static constexpr int kSubpixelBits = config().subpixel_bits;
   static constexpr int kReciprocalFraction = config().reciprocal_bits;
   static constexpr int kAreaBits = table().area.width;
@@ -236,6 +264,8 @@ struct Formats {
   static constexpr int kLights = config().lights, kMaterials = config().materials;
   static constexpr int kSquarings = exact_log2(config().gloss);
   static constexpr int kTexels = config().texels, kTextures = config().textures;
+  static constexpr int kVectorRange = config().vector_range, kVectorFraction = config().vector_fraction;
+  static constexpr int kWeightBits = config().weight_bits, kLog2Samples = exact_log2(config().samples);
 
 #define HS_NUMBER(field) Fixed<table().field.width, table().field.integer, table().field.is_signed>
   using X = HS_NUMBER(x);  // pixels or stamps to the right, and frame widths
@@ -314,6 +344,22 @@ struct Formats {
   using InverseShift = HS_NUMBER(inverse_shift);
   using TexelPlace = HS_NUMBER(texel_place);
   using Filtered = HS_NUMBER(filtered);
+  using Face = HS_NUMBER(face);
+  using Origin = HS_NUMBER(origin);
+  using Extent = HS_NUMBER(extent);
+  using Vector = HS_NUMBER(vector);
+  using KeyWeight = HS_NUMBER(key_weight);
+  using Difference = HS_NUMBER(difference);
+  using DifferencePlane = HS_NUMBER(difference_plane);
+  using DifferenceGradient = HS_NUMBER(difference_gradient);
+  struct DifferenceChannel {
+    using Value = HS_NUMBER(difference);
+    using PlaneValue = HS_NUMBER(difference_plane);
+    using Gradient = HS_NUMBER(difference_gradient);
+    using Numerator = HS_NUMBER(difference_numerator);
+    using Start = HS_NUMBER(difference_start);
+    using StartGradient = HS_NUMBER(difference_start_gradient);
+  };
 #undef HS_NUMBER
 };
 

@@ -232,7 +232,7 @@ TEST(FeatureRefusals, AreOfWhatIsThere) {
       vectors::parse_configuration(text, "x.toml");
       ADD_FAILURE() << "accepted: " << line;
     } catch (const ref::Error& e) {
-      EXPECT_NE(std::string(e.what()).find("x.toml:13: shading is \"gouraud\", \"flat\" or \"phong\""), std::string::npos) << e.what();
+      EXPECT_NE(std::string(e.what()).find("x.toml:13: shading is \"gouraud\", \"flat\", \"phong\" or \"motion\""), std::string::npos) << e.what();
     }
   }
   c = FlatDepth::config();

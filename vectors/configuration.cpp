@@ -8,6 +8,9 @@
 #include <algorithm>
 #include <cctype>
 #include <sstream>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
 
 #include "hls/configs/high.hpp"
 #include "hls/configs/low.hpp"
@@ -51,30 +54,75 @@ const std::vector<ConfigField>& texture_fields() {
   return fields;
 }
 
-const char* const kTextureWhat = "\"none\", \"nearest\": the texel at a pixel's centre, or \"bilinear\": four of them, weighted";
-
-const char* texture_name(TextureFilter filter) {
-  return filter == TextureFilter::kNone ? "none" : filter == TextureFilter::kNearest ? "nearest" : "bilinear";
+const std::vector<ConfigField>& motion_fields() {
+  static const std::vector<ConfigField> fields = {
+      {"coordinate_bits", &Config::coordinate_bits, "b: of a place in a key frame"},
+      {"coordinate_fraction", &Config::coordinate_fraction, "g: fraction bits of the gradients of places"},
+      {"vector_range", &Config::vector_range, "components of a vector lie in [−2^vector_range, 2^vector_range) pixels"},
+      {"vector_fraction", &Config::vector_fraction, "and are multiples of 2^−vector_fraction"},
+      {"weight_bits", &Config::weight_bits, "weights of key frames and of their pixels are multiples of 2^−weight_bits"},
+      {"face_bits", &Config::face_bits, "of the number of a face, 1 … 2^face_bits − 1"},
+      {"relight", &Config::relight, "1: planes of what a colour differs by from a key's"},
+      {"samples", &Config::samples, "pixels in between a pixel of a key frame, each way: 1, 2, 4"}};
+  return fields;
 }
 
-const char* const kMappingWhat = "\"affine\": planes of u and v, or \"perspective\": planes of u/w, v/w, 1/w and a division a pixel";
+namespace {
 
-const char* mapping_name(TextureMapping mapping) { return mapping == TextureMapping::kPerspective ? "perspective" : "affine"; }
-
-const char* const kShadingWhat =
-    "\"gouraud\", \"flat\": a triangle has the colour of its first vertex, or \"phong\": each visible pixel is lit";
-
-const char* shading_name(Shading shading) {
-  return shading == Shading::kFlat ? "flat" : shading == Shading::kPhong ? "phong" : "gouraud";
+template <auto Member>
+ChoiceField choice(const char* name, const char* what, std::vector<const char*> values) {
+  using Value = std::decay_t<decltype(std::declval<Config>().*Member)>;
+  return {name, what, std::move(values), [](const Config& c) { return int(c.*Member); },
+          [](Config& c, int value) { c.*Member = static_cast<Value>(value); }};
 }
 
-const char* const kArchitectureWhat = "\"delta\": a Z-buffer, or \"gamma\": none, depth is computed again from TdbV";
+}  // namespace
 
-const char* architecture_name(Architecture architecture) { return architecture == Architecture::kGamma ? "gamma" : "delta"; }
+const std::vector<ChoiceField>& choice_fields() {
+  static const std::vector<ChoiceField> fields = {
+      choice<&Config::shading>("shading",
+                               "\"gouraud\", \"flat\": a triangle has the colour of its first vertex, \"phong\": each visible pixel is "
+                               "lit, or \"motion\": a frame between two key frames",
+                               {"gouraud", "flat", "phong", "motion"}),
+      choice<&Config::architecture>("architecture", "\"delta\": a Z-buffer, or \"gamma\": none, depth is computed again from TdbV",
+                                    {"delta", "gamma"}),
+      choice<&Config::texture>("texture", "\"none\", \"nearest\": the texel at a pixel's centre, or \"bilinear\": four of them, weighted",
+                               {"none", "nearest", "bilinear"}),
+      choice<&Config::mapping>("mapping",
+                               "\"affine\": planes of u and v, or \"perspective\": planes of u/w, v/w, 1/w and a division a pixel",
+                               {"affine", "perspective"}),
+      choice<&Config::filter>("filter",
+                              "of key frames: \"nearest\" pixel, \"bilinear\", \"area\": weighted by area and distance, or \"bicubic\"",
+                              {"none", "nearest", "bilinear", "area", "bicubic"})};
+  return fields;
+}
+
+const ChoiceField& choice_field(const std::string& name) {
+  for (const ChoiceField& field : choice_fields()) {
+    if (name == field.name) return field;
+  }
+  throw std::logic_error("there is no choice " + name);
+}
+
+const char* choice_name(const std::string& field, const Config& c) {
+  const ChoiceField& choice = choice_field(field);
+  return choice.values[choice.get(c)];
+}
+
+namespace {
+
+// Fields whose numbers are 0 where the part that they belong to is not there.
+std::vector<const std::vector<ConfigField>*> number_fields() {
+  return {&config_fields(), &lighting_fields(), &texture_fields(), &motion_fields()};
+}
+
+}  // namespace
 
 bool same_numbers(const Config& a, const Config& b) {
-  if (a.shading != b.shading || a.architecture != b.architecture || a.texture != b.texture || a.mapping != b.mapping) return false;
-  for (const auto* fields : {&config_fields(), &lighting_fields(), &texture_fields()}) {
+  for (const ChoiceField& field : choice_fields()) {
+    if (field.get(a) != field.get(b)) return false;
+  }
+  for (const auto* fields : number_fields()) {
     for (const ConfigField& field : *fields) {
       if (a.*field.value != b.*field.value) return false;
     }
@@ -94,8 +142,8 @@ std::string refusal_text(Refusal refusal) {
     case Refusal::kFractionBits:
       return "reciprocal_bits is 2 to 40, depth_fraction, colour_fraction, normal_fraction and coordinate_fraction are 1 to 40";
     case Refusal::kIdleBits:
-      return "numbers of what is not there are 0: depth_fraction where depth_bits is 0, colour_fraction where shading is not \"gouraud\", "
-             "normal_fraction where it is not \"phong\", reciprocal_bits where there is no depth and no texture and shading is \"flat\"";
+      return "numbers of what is not there are 0: depth_fraction where depth_bits is 0, colour_fraction where shading is not \"gouraud\" "
+             "and nothing is relit, normal_fraction where it is not \"phong\", reciprocal_bits where there is no depth and no texture and shading is \"flat\"";
     case Refusal::kUnlitPhong: return "shading \"phong\" lights the pixels, and there are no lights: raise lights, or shade otherwise";
     case Refusal::kIdleArchitecture:
       return "architecture \"gamma\" computes a depth again, and there is none: raise depth_bits, or leave the architecture out";
@@ -137,7 +185,19 @@ std::string refusal_text(Refusal refusal) {
     case Refusal::kTexels: return "texels is a power of two, 4 to 1048576";
     case Refusal::kTextures: return "textures is 1 to 256";
     case Refusal::kIdleTexture:
-      return "texels, textures, coordinate_bits and coordinate_fraction are 0, and mapping \"affine\", where texture is \"none\"";
+      return "texels and textures are 0 where texture is \"none\"; so are coordinate_bits and coordinate_fraction, and mapping is "
+             "\"affine\", where shading is not \"motion\" either";
+    case Refusal::kMotionShading:
+      return "shading \"motion\" takes no lights and no texture: frames in between have the colours of the key frames";
+    case Refusal::kFilter: return "shading \"motion\" takes a filter: \"nearest\", \"bilinear\", \"area\" or \"bicubic\"";
+    case Refusal::kVector: return "vector_range is 1 to 13, vector_fraction 1 to 8";
+    case Refusal::kWeightBits: return "weight_bits is 2 to 8";
+    case Refusal::kFaceBits: return "face_bits is 1 to 22";
+    case Refusal::kRelight: return "relight is 0 or 1";
+    case Refusal::kSamples: return "samples is 1, 2 or 4";
+    case Refusal::kIdleMotion:
+      return "filter is \"none\", and vector_range, vector_fraction, weight_bits, face_bits, relight and samples are 0, where shading is "
+             "not \"motion\"";
   }
   return "unknown reason";
 }
@@ -200,51 +260,35 @@ Configuration parse_configuration(const std::string& text, const std::string& so
       name = *value;
       continue;
     }
-    if (field == "shading") {
+    const auto chosen = std::find_if(choice_fields().begin(), choice_fields().end(), [&](const ChoiceField& f) { return field == f.name; });
+    if (chosen != choice_fields().end()) {
       const auto value = node.value_exact<std::string>();
-      if (!value || (*value != "gouraud" && *value != "flat" && *value != "phong")) {
-        throw ref::Error(fmt::format("{}:{}: shading is \"gouraud\", \"flat\" or \"phong\"", source, line));
+      const auto& values = chosen->values;
+      const auto found = std::find_if(values.begin(), values.end(), [&](const char* v) { return value && *value == v; });
+      if (found == values.end()) {
+        std::string known;
+        for (std::size_t i = 0; i < values.size(); ++i) {
+          known += fmt::format("{}\"{}\"", i == 0 ? "" : i + 1 == values.size() ? " or " : ", ", values[i]);
+        }
+        throw ref::Error(fmt::format("{}:{}: {} is {}", source, line, field, known));
       }
-      numbers.shading = *value == "flat" ? Shading::kFlat : *value == "phong" ? Shading::kPhong : Shading::kGouraud;
+      chosen->set(numbers, int(found - values.begin()));
       continue;
     }
-    if (field == "architecture") {
-      const auto value = node.value_exact<std::string>();
-      if (!value || (*value != "delta" && *value != "gamma")) {
-        throw ref::Error(fmt::format("{}:{}: architecture is \"delta\" or \"gamma\"", source, line));
+    const ConfigField* at = nullptr;
+    for (const auto* fields : number_fields()) {
+      for (const ConfigField& f : *fields) {
+        if (field == f.name) at = &f;
       }
-      numbers.architecture = *value == "gamma" ? Architecture::kGamma : Architecture::kDelta;
-      continue;
     }
-    if (field == "texture") {
-      const auto value = node.value_exact<std::string>();
-      if (!value || (*value != "none" && *value != "nearest" && *value != "bilinear")) {
-        throw ref::Error(fmt::format("{}:{}: texture is \"none\", \"nearest\" or \"bilinear\"", source, line));
-      }
-      numbers.texture = *value == "none"      ? TextureFilter::kNone
-                        : *value == "nearest" ? TextureFilter::kNearest
-                                              : TextureFilter::kBilinear;
-      continue;
-    }
-    if (field == "mapping") {
-      const auto value = node.value_exact<std::string>();
-      if (!value || (*value != "affine" && *value != "perspective")) {
-        throw ref::Error(fmt::format("{}:{}: mapping is \"affine\" or \"perspective\"", source, line));
-      }
-      numbers.mapping = *value == "affine" ? TextureMapping::kAffine : TextureMapping::kPerspective;
-      continue;
-    }
-    std::vector<ConfigField> fields = config_fields();
-    fields.insert(fields.end(), lighting_fields().begin(), lighting_fields().end());
-    fields.insert(fields.end(), texture_fields().begin(), texture_fields().end());
-    const auto at = std::find_if(fields.begin(), fields.end(), [&](const ConfigField& f) { return field == f.name; });
-    if (at == fields.end()) {
+    if (!at) {
       std::string known = "name";
-      for (const ConfigField& f : config_fields()) known += fmt::format(", {}", f.name);
-      known += ", shading, architecture";
-      for (const ConfigField& f : lighting_fields()) known += fmt::format(", {}", f.name);
-      known += ", texture, mapping";
-      for (const ConfigField& f : texture_fields()) known += fmt::format(", {}", f.name);
+      for (const ChoiceField& f : choice_fields()) known += fmt::format(", {}", f.name);
+      for (const auto* fields : number_fields()) {
+        for (const ConfigField& f : *fields) {
+          if (known.find(fmt::format(", {}", f.name)) == std::string::npos) known += fmt::format(", {}", f.name);
+        }
+      }
       throw ref::Error(fmt::format("{}:{}: there is no field '{}': the fields are {}", source, line, field, known));
     }
     const auto value = node.value_exact<std::int64_t>();
@@ -273,18 +317,27 @@ std::string configuration_toml(const Configuration& configuration) {
     const std::string line = fmt::format("{} = {}", field.name, c.*field.value);
     text += *field.what ? fmt::format("{:<23} # {}\n", line, field.what) : line + "\n";
   }
-  text += fmt::format("{:<23} # {}\n", fmt::format("shading = \"{}\"", shading_name(c.shading)), kShadingWhat);
-  text += fmt::format("{:<23} # {}\n", fmt::format("architecture = \"{}\"", architecture_name(c.architecture)), kArchitectureWhat);
+  const auto choice = [&](const char* name) {
+    text += fmt::format("{:<23} # {}\n", fmt::format("{} = \"{}\"", name, choice_name(name, c)), choice_field(name).what);
+  };
+  choice("shading");
+  choice("architecture");
   const auto numbers = [&](const std::vector<ConfigField>& fields) {
     for (const ConfigField& field : fields) {
       text += fmt::format("{:<23} # {}\n", fmt::format("{} = {}", field.name, c.*field.value), field.what);
     }
   };
   if (has_lighting(c)) numbers(lighting_fields());
-  if (!has_texture(c)) return text;
-  text += fmt::format("{:<23} # {}\n", fmt::format("texture = \"{}\"", texture_name(c.texture)), kTextureWhat);
-  text += fmt::format("{:<23} # {}\n", fmt::format("mapping = \"{}\"", mapping_name(c.mapping)), kMappingWhat);
-  numbers(texture_fields());
+  if (has_texture(c)) {
+    choice("texture");
+    choice("mapping");
+    numbers(texture_fields());
+  }
+  if (has_motion(c)) {
+    choice("mapping");
+    choice("filter");
+    numbers(motion_fields());
+  }
   return text;
 }
 
@@ -300,18 +353,27 @@ std::string configuration_header(const Configuration& configuration) {
   if (type.empty() || std::isdigit(static_cast<unsigned char>(type[0]))) type = "Configuration" + type;
   const Config c = configuration.config();
   for (const ConfigField& field : config_fields()) numbers += fmt::format(", {}", c.*field.value);
-  numbers += c.shading == Shading::kFlat ? ", Shading::kFlat" : c.shading == Shading::kPhong ? ", Shading::kPhong" : ", Shading::kGouraud";
+  const auto value = [](const char* type, const char* name) {
+    std::string text(name);
+    text[0] = char(std::toupper(static_cast<unsigned char>(text[0])));
+    return fmt::format(", {}::k{}", type, text);
+  };
+  numbers += value("Shading", choice_name("shading", c));
   // What stands in Config is not said again.
-  if (c.architecture == Architecture::kGamma || has_lighting(c) || has_texture(c)) {
-    numbers += c.architecture == Architecture::kGamma ? ", Architecture::kGamma" : ", Architecture::kDelta";
-  }
-  if (has_lighting(c) || has_texture(c)) {
+  const bool past_architecture = has_lighting(c) || has_coordinates(c);
+  if (c.architecture == Architecture::kGamma || past_architecture) numbers += value("Architecture", choice_name("architecture", c));
+  if (past_architecture) {
     for (const ConfigField& field : lighting_fields()) numbers += fmt::format(", {}", c.*field.value);
   }
-  if (has_texture(c)) {
-    numbers += is_bilinear(c) ? ", TextureFilter::kBilinear" : ", TextureFilter::kNearest";
-    numbers += has_perspective(c) ? ", TextureMapping::kPerspective" : ", TextureMapping::kAffine";
+  if (has_coordinates(c)) {
+    numbers += value("TextureFilter", choice_name("texture", c)) + value("TextureMapping", choice_name("mapping", c));
     for (const ConfigField& field : texture_fields()) numbers += fmt::format(", {}", c.*field.value);
+  }
+  if (has_motion(c)) {
+    numbers += value("KeyFilter", choice_name("filter", c));
+    for (const ConfigField& field : motion_fields()) {
+      if (std::string(field.name).rfind("coordinate", 0) != 0) numbers += fmt::format(", {}", c.*field.value);
+    }
   }
   return fmt::format(
       "// SPDX-License-Identifier: Apache-2.0\n"

@@ -19,21 +19,23 @@ struct ConfigField {
   const char* what;
 };
 const std::vector<ConfigField>& config_fields();
-// Those of lighting, which a file without it leaves out; and those of texture.
+// Those of lighting, which a file without it leaves out; those of texture; and those of frames in between.
 const std::vector<ConfigField>& lighting_fields();
 const std::vector<ConfigField>& texture_fields();
+const std::vector<ConfigField>& motion_fields();
 
-// "gouraud", "flat" or "phong", the field `shading`, and what it means.
-const char* shading_name(Shading);
-extern const char* const kShadingWhat;
-// "delta" or "gamma", the field `architecture`.
-const char* architecture_name(Architecture);
-extern const char* const kArchitectureWhat;
-// "none", "nearest" or "bilinear", the field `texture`; "affine" or "perspective", the field `mapping`.
-const char* texture_name(TextureFilter);
-extern const char* const kTextureWhat;
-const char* mapping_name(TextureMapping);
-extern const char* const kMappingWhat;
+// Fields with words for values.
+struct ChoiceField {
+  const char* name;
+  const char* what;
+  std::vector<const char*> values;
+  int (*get)(const Config&);  // an index into values
+  void (*set)(Config&, int);
+};
+const std::vector<ChoiceField>& choice_fields();
+const ChoiceField& choice_field(const std::string& name);
+// The value of such a field.
+const char* choice_name(const std::string& field, const Config&);
 
 // A Config that was accepted, with the name that it points to.
 class Configuration {

@@ -70,16 +70,33 @@ const std::vector<FormatField>& texture_format_fields() {
       {"repeats", &T::repeats, "e: a triangle spans 2^15 repetitions at most", has_texture},
       {"side", &T::side, "log2 of a side, 0 … log2(texels), bilinear one less", has_texture},
       {"texel_address", &T::texel_address, "0 … texels − 1", has_texture},
-      {"coordinate", &T::coordinate, "b of s, t, q", has_texture},
-      {"coordinate_plane", &T::coordinate_plane, "b + g: modulo 2^b, as the error is below ½", has_texture},
-      {"coordinate_gradient", &T::coordinate_gradient, "b + g", has_texture},
-      {"coordinate_numerator", &T::coordinate_numerator, "b + c + 1", has_texture},
-      {"coordinate_start", &T::coordinate_start, "b + g + f", has_texture},
-      {"coordinate_start_gradient", &T::coordinate_start_gradient, "b + f + g", has_texture},
+      {"coordinate", &T::coordinate, "b of s, t, q", has_coordinates},
+      {"coordinate_plane", &T::coordinate_plane, "b + g: modulo 2^b, as the error is below ½", has_coordinates},
+      {"coordinate_gradient", &T::coordinate_gradient, "b + g", has_coordinates},
+      {"coordinate_numerator", &T::coordinate_numerator, "b + c + 1", has_coordinates},
+      {"coordinate_start", &T::coordinate_start, "b + g + f", has_coordinates},
+      {"coordinate_start_gradient", &T::coordinate_start_gradient, "b + f + g", has_coordinates},
       {"inverse", &T::inverse, "y of reciprocal_lookup, ½ … 1", has_perspective},
       {"inverse_shift", &T::inverse_shift, "k of reciprocal_lookup, 0 … b − 1", has_perspective},
       {"texel_place", &T::texel_place, "of the longest side + 8: modulo a side, and the weights of a bilinear filter", has_texture},
       {"filtered", &T::filtered, "b of colour + 8: a texel, rounded once", has_texture}};
+  return fields;
+}
+
+const std::vector<FormatField>& motion_format_fields() {
+  using T = FormatTable;
+  static const std::vector<FormatField> fields = {
+      {"face", &T::face, "0: background, 1 … 2^face_bits − 1", has_motion},
+      {"origin", &T::origin, "whole pixels of a position", has_motion},
+      {"extent", &T::extent, "e: places of a triangle lie within 2^e pixels of its origin", has_motion},
+      {"vector", &T::vector, "vector_range + 1 + vector_fraction", has_motion},
+      {"key_weight", &T::key_weight, "0 … 1", has_motion},
+      {"difference", &T::difference, "b of colour + 1: a difference plus 2^b has no sign", relights},
+      {"difference_plane", &T::difference_plane, "b + g: modulo 2^b, as the error is below ½", relights},
+      {"difference_gradient", &T::difference_gradient, "b + g", relights},
+      {"difference_numerator", &T::difference_numerator, "b + c + 1", relights},
+      {"difference_start", &T::difference_start, "b + g + f", relights},
+      {"difference_start_gradient", &T::difference_start_gradient, "b + f + g", relights}};
   return fields;
 }
 

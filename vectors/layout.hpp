@@ -29,7 +29,7 @@ struct Layout {
   std::vector<Field> fields;  // the most significant first
 };
 
-constexpr int kMaxWordBits = 512;
+constexpr int kMaxWordBits = 2304;
 using Word = std::array<std::uint64_t, kMaxWordBits / 64>;  // bit 0 is bit 0 of element 0
 
 namespace detail {

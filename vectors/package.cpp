@@ -104,6 +104,7 @@ std::string lighting_text(const Config& c, const std::vector<Layout>& layouts) {
 std::string texture_text(const Config& c, const std::vector<Layout>& layouts) {
   const FormatTable t = format_table(c);
   const auto number = [&](int value) { return has_texture(c) ? value : 0; };
+  const auto coordinate = [&](int value) { return has_coordinates(c) ? value : 0; };
   const auto inverse = [&](int value) { return has_perspective(c) ? value : 0; };
   return constants_text({{"Bilinear", is_bilinear(c)},
                          {"Perspective", has_perspective(c)},
@@ -113,9 +114,9 @@ std::string texture_text(const Config& c, const std::vector<Layout>& layouts) {
                          {"RepeatBits", number(t.repeats.width)},
                          {"SideBits", number(t.side.width)},
                          {"TexelAddressBits", number(t.texel_address.width)},
-                         {"CoordinateBits", number(t.coordinate.width)},
+                         {"CoordinateBits", coordinate(t.coordinate.width)},
                          {"CoordinateFraction", c.coordinate_fraction},
-                         {"CoordinatePlaneBits", number(t.coordinate_plane.width)},
+                         {"CoordinatePlaneBits", coordinate(t.coordinate_plane.width)},
                          {"WeightBits", number(kWeightBits)},
                          {"TexelPlaceBits", number(t.texel_place.width)},
                          {"FilteredFraction", is_bilinear(c) ? kFilteredFraction : 0},
@@ -134,6 +135,25 @@ std::string texture_text(const Config& c, const std::vector<Layout>& layouts) {
                              : "  localparam logic [0:0] InverseTable = '0;\n");
 }
 
+// Those of frames in between.
+std::string motion_text(const Config& c, const std::vector<Layout>& layouts) {
+  const FormatTable t = format_table(c);
+  const auto number = [&](int value) { return has_motion(c) ? value : 0; };
+  return constants_text({{"HasMotion", has_motion(c)},
+                         {"Relight", relights(c)},
+                         {"FaceBits", number(t.face.width)},
+                         {"OriginBits", number(t.origin.width)},
+                         {"ExtentBits", number(t.extent.width)},
+                         {"VectorBits", number(t.vector.width)},
+                         {"VectorFraction", c.vector_fraction},
+                         {"KeyWeightBits", number(t.key_weight.width)},
+                         {"DifferenceBits", relights(c) ? t.difference.width : 0},
+                         {"DifferencePlaneBits", relights(c) ? t.difference_plane.width : 0},
+                         {"MotionVectorsWordBits", word_bits(layouts, "motion_vectors")},
+                         {"MotionPlanesWordBits", word_bits(layouts, "motion_planes")},
+                         {"MotionWordBits", word_bits(layouts, "motion")}});
+}
+
 }  // namespace
 
 std::string formats_package(const Configuration& configuration) {
@@ -143,7 +163,7 @@ std::string formats_package(const Configuration& configuration) {
   const bool depth = has_depth(c), gouraud = is_gouraud(c), planes = has_planes(c);
   const auto bits = [](bool there, const NumberFormat& format) { return there ? format.width : 0; };
   // Of a triangle as it comes: its colours; and of its attributes, where values of its vertices come later, their order.
-  const int triangle_colours = has_lighting(c) ? 0 : (gouraud ? 9 : 3) * t.colour.width;
+  const int triangle_colours = !has_colours(c) ? 0 : (gouraud ? 9 : 3) * t.colour.width;
   const int order = orders_vertices(c) ? VertexNumber::width() + Bit::width() : 0;
   const std::vector<std::pair<const char*, int>> constants = {
       {"HasDepth", depth},
@@ -151,6 +171,7 @@ std::string formats_package(const Configuration& configuration) {
       {"Gouraud", gouraud},
       {"Phong", is_phong(c)},
       {"HasTexture", has_texture(c)},
+      {"SendsShape", sends_shape(c)},
       {"MaxWidth", c.width},
       {"MaxHeight", c.height},
       {"Triangles", c.triangles},
@@ -204,7 +225,7 @@ std::string formats_package(const Configuration& configuration) {
       configuration.name());
   // Any number of lanes would do: nothing printed depends on it.
   const std::vector<Layout> layouts = make_engine(configuration, 2)->layouts();
-  text += constants_text(constants) + lighting_text(c, layouts) + texture_text(c, layouts) + "\n";
+  text += constants_text(constants) + lighting_text(c, layouts) + texture_text(c, layouts) + motion_text(c, layouts) + "\n";
   for (const Type& type : types) {
     if (type.is_there) text += fmt::format("  typedef {}{}_t;\n", range(type.format.width, type.format.is_signed), type.name);
   }

@@ -123,13 +123,16 @@ struct RuntimeFormats {
   static constexpr int kLog2LanesX = exact_log2(kLanesX), kLog2LanesY = exact_log2(kLanesY);
   static inline thread_local int kWidth, kHeight, kStampsX, kStampsY, kStamps, kTriangles, kSubpixelBits,
       kReciprocalFraction, kAreaBits, kDepthBits, kColourBits, kLights, kMaterials, kSquarings,
-      kTexels, kTextures;
+      kTexels, kTextures, kVectorRange, kVectorFraction, kWeightBits, kLog2Samples;
+  static inline thread_local KeyFilter kFilter;
   using CompilesPlaneTest = std::true_type;
   using CompilesPhong = std::true_type;
   using CompilesLighting = std::true_type;
   using CompilesTexture = std::true_type;
+  using CompilesMotion = std::true_type;
   static inline thread_local bool kHasDepth, kGouraud, kPhong, kShadesPlanes, kHasPlanes, kStoresDepth, kTestsPlanes;
   static inline thread_local bool kHasLighting, kHasGloss, kDeferred, kHasTexture, kBilinear, kPerspective, kSendsShape, kOrdersVertices;
+  static inline thread_local bool kHasMotion, kRelights, kHasColours;
 
   static void activate(const Config& c, const FormatTable& table) {
     runtime_table = table;
@@ -149,6 +152,9 @@ struct RuntimeFormats {
     kHasTexture = has_texture(c), kBilinear = is_bilinear(c), kPerspective = has_perspective(c);
     kSendsShape = sends_shape(c), kOrdersVertices = orders_vertices(c);
     kTexels = c.texels, kTextures = c.textures;
+    kHasMotion = has_motion(c), kRelights = relights(c), kHasColours = has_colours(c), kFilter = c.filter;
+    kVectorRange = c.vector_range, kVectorFraction = c.vector_fraction, kWeightBits = c.weight_bits;
+    kLog2Samples = exact_log2(c.samples);
   }
 
   using X = RuntimeFixed<&FormatTable::x, false>;
@@ -202,6 +208,22 @@ struct RuntimeFormats {
   using InverseShift = RuntimeFixed<&FormatTable::inverse_shift, false>;
   using TexelPlace = RuntimeFixed<&FormatTable::texel_place, false>;
   using Filtered = RuntimeFixed<&FormatTable::filtered, false>;
+  using Face = RuntimeFixed<&FormatTable::face, false>;
+  using Origin = RuntimeFixed<&FormatTable::origin, true>;
+  using Extent = RuntimeFixed<&FormatTable::extent, false>;
+  using Vector = RuntimeFixed<&FormatTable::vector, true>;
+  using KeyWeight = RuntimeFixed<&FormatTable::key_weight, false>;
+  using Difference = RuntimeFixed<&FormatTable::difference, false>;
+  using DifferencePlane = RuntimeFixed<&FormatTable::difference_plane, false>;
+  using DifferenceGradient = RuntimeFixed<&FormatTable::difference_gradient, true>;
+  struct DifferenceChannel {
+    using Value = RuntimeFormats::Difference;
+    using PlaneValue = RuntimeFormats::DifferencePlane;
+    using Gradient = RuntimeFormats::DifferenceGradient;
+    using Numerator = RuntimeFixed<&FormatTable::difference_numerator, true>;
+    using Start = RuntimeFixed<&FormatTable::difference_start, true>;
+    using StartGradient = RuntimeFixed<&FormatTable::difference_start_gradient, true>;
+  };
   struct CoordinateChannel {
     using Value = RuntimeFormats::Coordinate;
     using PlaneValue = RuntimeFormats::CoordinatePlane;
