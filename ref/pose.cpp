@@ -18,6 +18,13 @@ glm::dquat between(const aiQuatKey& a, const aiQuatKey& b, double t) {
   return glm::normalize(glm::slerp(quaternion(a.mValue), quaternion(b.mValue), t));
 }
 
+std::map<unsigned, double> between(const aiMeshMorphKey& a, const aiMeshMorphKey& b, double t) {
+  std::map<unsigned, double> weights;
+  for (unsigned i = 0; i < a.mNumValuesAndWeights; ++i) weights[a.mValues[i]] += (1 - t) * a.mWeights[i];
+  for (unsigned i = 0; i < b.mNumValuesAndWeights; ++i) weights[b.mValues[i]] += t * b.mWeights[i];
+  return weights;
+}
+
 template <class Key>
 auto at_time(const Key* keys, unsigned count, double ticks) {
   const Key* next =
@@ -62,6 +69,10 @@ Pose::Pose(const aiScene& scene, double time_seconds) {
     for (unsigned i = 0; i < animation.mNumChannels; ++i) {
       animated_[animation.mChannels[i]->mNodeName.C_Str()] = at_time(*animation.mChannels[i], ticks);
     }
+    for (unsigned i = 0; i < animation.mNumMorphMeshChannels; ++i) {
+      const aiMeshMorphAnim& channel = *animation.mMorphMeshChannels[i];
+      if (channel.mNumKeys) morphs_[channel.mName.C_Str()] = at_time(channel.mKeys, channel.mNumKeys, ticks);
+    }
   }
   if (scene.mRootNode) place(*scene.mRootNode, glm::dmat4(1));
 }
@@ -78,6 +89,39 @@ void Pose::place(const aiNode& node, const glm::dmat4& parent) {
 glm::dmat4 Pose::to_world(const std::string& node) const {
   const auto found = by_name_.find(node);
   return found == by_name_.end() ? glm::dmat4(1) : found->second;
+}
+
+// Importers name a channel after the node or after the mesh.
+std::vector<double> Pose::morph_weights(const aiNode& node, const aiMesh& mesh) const {
+  std::vector<double> weights;
+  for (unsigned i = 0; i < mesh.mNumAnimMeshes; ++i) weights.push_back(mesh.mAnimMeshes[i]->mWeight);
+  auto found = morphs_.find(node.mName.C_Str());
+  if (found == morphs_.end()) found = morphs_.find(mesh.mName.C_Str());
+  if (found == morphs_.end()) return weights;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    const auto weight = found->second.find(unsigned(i));
+    weights[i] = weight == found->second.end() ? 0 : weight->second;
+  }
+  return weights;
+}
+
+// v + Σ w·(t − v), or of relative targets v + Σ w·t.
+void morph(const aiMesh& source, const std::vector<double>& weights, Mesh* mesh) {
+  const double less = source.mMethod == aiMorphingMethod_MORPH_RELATIVE ? 0 : 1;
+  const auto blend = [&](std::vector<glm::dvec3>& values, aiVector3D* aiAnimMesh::*target) {
+    const std::vector<glm::dvec3> base = values;
+    for (unsigned i = 0; i < source.mNumAnimMeshes; ++i) {
+      const aiAnimMesh& anim = *source.mAnimMeshes[i];
+      if (!(anim.*target) || anim.mNumVertices != base.size()) continue;
+      for (std::size_t v = 0; v < base.size(); ++v) values[v] += weights[i] * (to_glm((anim.*target)[v]) - less * base[v]);
+    }
+  };
+  blend(mesh->positions, &aiAnimMesh::mVertices);
+  blend(mesh->normals, &aiAnimMesh::mNormals);
+  for (glm::dvec3& normal : mesh->normals) {
+    const double length = glm::length(normal);
+    if (length > 0) normal /= length;
+  }
 }
 
 // Linear blend skinning: a vertex is moved by the weighted mean of its bones' matrices, each from the mesh as

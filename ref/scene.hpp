@@ -72,8 +72,8 @@ struct Scene {
   double duration = 0;  // seconds of the animation; 0 when the scene stands still
 };
 
-// A built-in scene by its name, or any file that Assimp reads, with the first of its animations (nodes and
-// bones) at `time_seconds`; of the built-in scenes the animated ones move. Error on everything that cannot be drawn.
+// A built-in scene by its name, or any file that Assimp reads, with the first of its animations (nodes,
+// bones and morph targets) at `time_seconds`; of the built-in scenes the animated ones move. Error on everything that cannot be drawn.
 // Textures are read if `textured`, and one that is missing is an error then.
 Scene load_scene(const std::string& name_or_path, double time_seconds = 0, bool textured = false);
 

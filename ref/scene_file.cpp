@@ -107,14 +107,17 @@ void add_instances(const aiScene& file, const aiNode& node, const Pose& pose, Sc
   for (unsigned i = 0; i < node.mNumMeshes; ++i) {
     const int mesh = static_cast<int>(node.mMeshes[i]);
     const glm::dmat4& to_world = pose.to_world(&node);
-    if (file.mMeshes[mesh]->mNumBones == 0) {
+    const aiMesh& source = *file.mMeshes[mesh];
+    if (source.mNumBones == 0 && source.mNumAnimMeshes == 0) {
       scene->instances.push_back({mesh, to_world});
       continue;
     }
-    Mesh skinned = scene->meshes[mesh];
-    skin(*file.mMeshes[mesh], pose, to_world, &skinned);
-    scene->instances.push_back({static_cast<int>(scene->meshes.size()), glm::dmat4(1)});
-    scene->meshes.push_back(std::move(skinned));
+    Mesh moved = scene->meshes[mesh];
+    if (source.mNumAnimMeshes != 0) morph(source, pose.morph_weights(node, source), &moved);
+    const bool skinned = source.mNumBones != 0;
+    if (skinned) skin(source, pose, to_world, &moved);
+    scene->instances.push_back({static_cast<int>(scene->meshes.size()), skinned ? glm::dmat4(1) : to_world});
+    scene->meshes.push_back(std::move(moved));
   }
   for (unsigned i = 0; i < node.mNumChildren; ++i) add_instances(file, *node.mChildren[i], pose, scene);
 }

@@ -87,8 +87,10 @@ Material material_of(const aiMaterial& source) {
 
 std::optional<Camera> camera_of(const aiCamera& source, const Pose& pose, const std::string& extension) {
   const glm::dmat4 to_world = pose.to_world(source.mName.C_Str());
+  const bool gltf = extension == "gltf" || extension == "glb";
   Camera camera;
-  camera.position = to_world * glm::dvec4(to_glm(source.mPosition), 1);
+  // Assimp's importer of glTF sets the position to what the node is moved by, which is in its matrix.
+  camera.position = to_world * glm::dvec4(gltf ? glm::dvec3(0) : to_glm(source.mPosition), 1);
   camera.forward = glm::dmat3(to_world) * to_glm(source.mLookAt);
   camera.up = glm::dmat3(to_world) * to_glm(source.mUp);
   if (!usable(camera.forward) || !usable(camera.up) || !std::isfinite(glm::length(camera.position)))
@@ -98,7 +100,7 @@ std::optional<Camera> camera_of(const aiCamera& source, const Pose& pose, const 
     camera.orthographic = true;
     camera.half_width = source.mOrthographicWidth;
     camera.half_height = aspect > 0 ? camera.half_width / aspect : 0;
-  } else if (extension == "gltf" || extension == "glb") {
+  } else if (gltf) {
     // Assimp's importer multiplies the vertical angle by the aspect ratio, if there is one.
     camera.half_height = half_size(aspect > 0 ? source.mHorizontalFOV / aspect : source.mHorizontalFOV);
   } else {

@@ -600,6 +600,50 @@ TEST(Files, AnimationsMoveNodesAndBones) {
   }
 }
 
+// One end of its cube has been moved by a target; its keys are 1/30 s apart, and lines lie between them.
+TEST(Files, AnimationsMorphMeshes) {
+  const std::string path = kModels + "glTF2/glTF-Sample-Models/AnimatedMorphCube-glTF/AnimatedMorphCube.gltf";
+  const Scene still = load_scene(path);
+  EXPECT_NEAR(still.duration, 4.2, 1e-3);
+  const auto lowest = [](const Scene& scene) {
+    double y = 1e9;
+    const Mesh& mesh = scene.meshes[scene.instances[0].mesh];
+    for (const auto& corner : mesh.triangles) {
+      for (const std::uint32_t i : corner) y = std::min(y, mesh.positions[i].y);
+    }
+    return y;
+  };
+  EXPECT_NEAR(lowest(still), -0.01, 1e-6);
+  // Weights of the first target, from the file.
+  const double at_13 = lowest(load_scene(path, 13 / 30.0)), at_39 = lowest(load_scene(path, 39 / 30.0));
+  EXPECT_NEAR(at_13, -0.01 + 0.18032 * 0.01893253, 1e-5);
+  EXPECT_NEAR(at_39, -0.01 + 0.907715 * 0.01893253, 1e-5);
+  const double at_14 = lowest(load_scene(path, 14 / 30.0));
+  EXPECT_NEAR(lowest(load_scene(path, 13.5 / 30.0)), (at_13 + at_14) / 2, 1e-6);
+  EXPECT_LT(covered(render_file(path, 3)), covered(render_file(path)));
+}
+
+// A triangle, and a camera that goes from (0, 0, 5) to (0, 0, 10) in a second.
+TEST(Files, AnimationsMoveCameras) {
+  const TemporaryFile file("camera.gltf",
+      R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,1]}],"nodes":[{"mesh":0,"name":"face"},{")"
+      R"(camera":0,"name":"eye","translation":[0,0,5]}],"cameras":[{"type":"perspective","perspective":{"yfov)"
+      R"(":0.8,"aspectRatio":1,"znear":0.1,"zfar":100}}],"meshes":[{"primitives":[{"attributes":{"POSITION":0)"
+      R"(}}]}],"buffers":[{"byteLength":68,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPw)"
+      R"(AAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAgD8AAAAAAAAAAAAAoEAAAAAAAAAAAAAAIEE="}],"bufferViews":[{"buffer":0)"
+      R"(,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":8},{"buffer":0,"byteOffset":44,"byteLengt)"
+      R"(h":24}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max)"
+      R"(":[1,1,0]},{"bufferView":1,"componentType":5126,"count":2,"type":"SCALAR","min":[0],"max":[1]},{"buf)"
+      R"(ferView":2,"componentType":5126,"count":2,"type":"VEC3"}],"animations":[{"channels":[{"sampler":0,"t)"
+      R"(arget":{"node":1,"path":"translation"}}],"samplers":[{"input":1,"output":2}]}]})");
+  for (const double seconds : {0.0, 0.25, 1.0, 2.0}) {
+    const Scene scene = load_scene(file.path(), seconds);
+    ASSERT_TRUE(scene.camera);
+    EXPECT_NEAR(scene.camera->position.z, 5 + 5 * std::min(seconds, 1.0), 1e-6);
+  }
+  EXPECT_GT(covered(render_file(file.path())), 3 * covered(render_file(file.path(), 1)));
+}
+
 TEST(Files, InvalidOnesAreRefused) {
   for (const char* name :
        {"invalid/empty.obj", "invalid/empty.off", "invalid/empty.ply", "invalid/empty.3ds", "invalid/empty.x",
