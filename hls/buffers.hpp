@@ -22,7 +22,7 @@ struct DepthBuffer {
 // TdbS, the triangle database for shading: entry index − 1.
 template <class F>
 struct ShadingDatabase {
-  Planes<F> planes[F::kPhong ? 1 : F::kTriangles];
+  Planes<F> planes[F::kPhong || F::kHasMotion ? 1 : F::kTriangles];
 };
 
 // TdbS with F::kPhong.
@@ -35,6 +35,12 @@ struct NormalDatabase {
 template <class F>
 struct TextureDatabase {
   TexturePlanes<F> planes[F::kHasTexture ? F::kTriangles : 1];
+};
+
+// TdbS with F::kHasMotion.
+template <class F>
+struct MotionDatabase {
+  MotionPlanes<F> planes[F::kHasMotion ? F::kTriangles : 1];
 };
 
 // The depth plane of a triangle from the centre of pixel (0, 0) of the frame on, ½ included, modulo 2^b.
@@ -90,6 +96,7 @@ struct Buffers {
   LightTable<F> lights;
   MaterialTable<F> materials;
   TextureDatabase<F> coordinates;
+  MotionDatabase<F> motion;
   TextureTable<F> textures;
   TextureMemory<F> texels;
 };

@@ -5,6 +5,8 @@
 #define HALFSPACE_HLS_PIPELINE_HPP_
 
 #include "light_vertex.hpp"
+#include "motion_field.hpp"
+#include "motion_setup.hpp"
 #include "phong_setup.hpp"
 #include "raster_pineda.hpp"
 #include "scan_index.hpp"
@@ -32,6 +34,8 @@ struct Streams {
   Stream<NormalPlanes<F>> normal_planes;
   Stream<TextureCoordinates<F>> texture_coordinates;
   Stream<TexturePlanes<F>> texture_planes;
+  Stream<MotionVectors<F>> motion_vectors;
+  Stream<MotionPlanes<F>> motion_planes;
   Stream<Stamp<F>> stamp;
   Stream<TriangleDepth<F>> triangle_depth;
   Probe<int> visits;
@@ -40,6 +44,7 @@ struct Streams {
   Stream<Visible<F>> tested, visible;  // before and after visible_select, if there is one
   Stream<Scan<F>> scan, shade_scan, texture_scan;  // likewise
   Stream<Pixel<F>> lit, pixel;                     // lit: with texture alone
+  Stream<Motion<F>> motion;                        // in the place of pixel
 };
 
 template <class F>
@@ -100,6 +105,15 @@ void pipeline_coordinates(Streams<F>& streams, Buffers<F>& buffers, std::true_ty
   store_texture_planes(streams.texture_planes, buffers.coordinates);
 }
 
+// All that a frame in between has of a triangle.
+template <class F>
+void pipeline_motion_planes(Streams<F>&, Buffers<F>&, std::false_type) {}
+template <class F>
+void pipeline_motion_planes(Streams<F>& streams, Buffers<F>& buffers, std::true_type) {
+  motion_setup(streams.visible_attributes, streams.motion_vectors, streams.motion_planes);
+  store_motion_planes(streams.motion_planes, buffers.motion);
+}
+
 // One triangle from streams.triangle into the I-buffer, and what geometry hears of it into streams.visible.
 template <class F>
 void pipeline_triangle(const Frame<F>& frame, Streams<F>& streams, Buffers<F>& buffers) {
@@ -109,12 +123,13 @@ void pipeline_triangle(const Frame<F>& frame, Streams<F>& streams, Buffers<F>& b
   if (F::kDeferred) visible_select(streams.attributes, streams.tested, streams.visible, streams.visible_attributes);
 }
 
-// What it is shaded with into TdbS; with F::kDeferred, and if it is visible, after its words of streams.normals and
-// streams.texture_coordinates.
+// What it is shaded with into TdbS; with F::kDeferred, and if it is visible, after its words of streams.normals,
+// streams.texture_coordinates and streams.motion_vectors.
 template <class F>
 void pipeline_planes(Streams<F>& streams, Buffers<F>& buffers) {
   const bool none = F::kDeferred ? streams.visible_attributes.empty() : streams.attributes.empty();
   if (none) return;
+  if (F::kHasMotion) return pipeline_motion_planes(streams, buffers, typename F::CompilesMotion());
   pipeline_coordinates(streams, buffers, typename F::CompilesTexture());
   pipeline_planes(streams, buffers, typename F::CompilesPhong());
 }
@@ -151,6 +166,18 @@ void pipeline_shade(const Frame<F>& frame, Streams<F>& streams, Buffers<F>& buff
 template <class F>
 void pipeline_shade(const Frame<F>& frame, Streams<F>& streams, Buffers<F>& buffers) {
   pipeline_shade(frame, streams, buffers, typename F::CompilesTexture());
+}
+
+// With F::kHasMotion in the place of that: one stamp into streams.motion.
+template <class F>
+void pipeline_motion(Streams<F>&, Buffers<F>&, std::false_type) {}
+template <class F>
+void pipeline_motion(Streams<F>& streams, Buffers<F>& buffers, std::true_type) {
+  motion_field(streams.scan, buffers.motion, streams.motion);
+}
+template <class F>
+void pipeline_motion(Streams<F>& streams, Buffers<F>& buffers) {
+  pipeline_motion(streams, buffers, typename F::CompilesMotion());
 }
 
 }  // namespace halfspace

@@ -12,7 +12,7 @@ namespace {
 class Counter {
  public:
   Counter(const Config& config, const Engine& engine, const ref::SnappedList& scene)
-      : is_phong_(is_phong(config)),
+      : by_pixel_(is_phong(config) || has_motion(config)),
         stores_depth_(stores_depth(config)),
         tests_planes_(tests_planes(config)),
         lanes_x_(engine.lanes_x()),
@@ -34,7 +34,7 @@ class Counter {
       if (stores_depth_) n.depth.written += passed, w.depth.written += passed;
     } else if (stream == "scan") {
       for (std::size_t k = 0; k < number; ++k) scan(layout, words[k]);
-    } else if (stream == "planes") {
+    } else if (stream == "planes" || stream == "motion_planes") {
       stored(n.shading, w.shading, number - count_set(layout, words, number, "empty"));
     } else if (stream == "visible" && tests_planes_) {
       stored(n.visibility, w.visibility, count_set(layout, words, number, "visible"));
@@ -61,10 +61,10 @@ class Counter {
       covered += entry != 0;
       if (entry != 0 && std::find(seen_.begin(), seen_.end(), entry) == seen_.end()) seen_.push_back(entry);
     }
-    out_.needed.shading.read += seen_.size(), out_.words.shading.read += is_phong_ ? covered : seen_.size();
+    out_.needed.shading.read += seen_.size(), out_.words.shading.read += by_pixel_ ? covered : seen_.size();
   }
 
-  const bool is_phong_, stores_depth_, tests_planes_;
+  const bool by_pixel_, stores_depth_, tests_planes_;
   const int lanes_x_, lanes_, lanes_y_, width_, height_;
   std::vector<std::int64_t> seen_;
   Accesses out_;

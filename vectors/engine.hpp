@@ -14,6 +14,7 @@
 #include "vectors/configuration.hpp"
 #include "vectors/layout.hpp"
 #include "vectors/lighting.hpp"
+#include "vectors/motion.hpp"
 #include "vectors/texture.hpp"
 
 namespace halfspace::vectors {
@@ -29,7 +30,8 @@ class Engine {
   virtual int lanes_y() const = 0;
   // In flow order: triangle, setup, attributes, planes, triangle_depth if there is one, stamp, update, visible, scan, pixel. With
   // lighting light and material stand first, and before planes normals and, but for Phong shading, colours; with texture texture and
-  // texel, then texture_coordinates and texture_planes, and lit before pixel; with either visible_attributes after attributes.
+  // texel, then texture_coordinates and texture_planes, and lit before pixel; with either visible_attributes after attributes. A motion
+  // configuration has visible_attributes, motion_vectors and motion_planes, and motion in the place of pixel.
   virtual std::vector<Layout> layouts() const = 0;
 
   // Of a configuration with lighting, before a frame is drawn: its lights, its materials, and the normals of its triangles.
@@ -37,14 +39,19 @@ class Engine {
 
   // Of a configuration with texture, before a frame is drawn: its textures, and the coordinates of its triangles.
   virtual void texture(const TextureFrame& frame) = 0;
+
+  // Of a motion configuration, before a frame is drawn: where its triangles are in the key frames.
+  virtual void move(const MotionFrame& frame) = 0;
   // Not 0: from now on indices of invisible triangles are used again, by the rule of ref::IndexReuse with this window, and a frame
   // may have more triangles than there are indices. render() throws ref::Error when they are used up.
   virtual void reuse_indices(int window) = 0;
 
-  // Renders with the kernels. exact_depth and exact_colour stay empty.
+  // Renders with the kernels. exact_depth and exact_colour stay empty; of a motion configuration colour too.
   virtual ref::Frame render(const ref::SnappedList& scene) = 0;
   // The picture alone.
   virtual void render_colour(const ref::SnappedList& scene, std::vector<std::array<std::uint8_t, 4>>& colour) = 0;
+  // Of a motion configuration the motion field: the words of `motion`. One of face 0 ends a frame whose last stamp is background.
+  virtual std::vector<RawMotion> motion(const ref::SnappedList& scene) = 0;
   // How many stamps the rasterizer visits for each triangle, covered or not: its cycles.
   virtual std::vector<int> visits(const ref::SnappedList& scene) = 0;
   // What the stamps of each triangle cost ztest_plane; of type δ, nothing.

@@ -12,6 +12,7 @@
 #include "ref/index_pool.hpp"
 #include "vectors/engine.hpp"
 #include "vectors/lighting_records.hpp"
+#include "vectors/motion_records.hpp"
 #include "vectors/texture_records.hpp"
 
 namespace halfspace::vectors {
@@ -30,12 +31,13 @@ class KernelEngine : public Engine {
     if (F::kDeferred) layouts.push_back(visible_attributes_layout());
     if (F::kHasLighting) layouts.push_back(layout<Normals<F>>());
     if (F::kHasLighting && !F::kPhong) layouts.push_back(layout<Colours<F>>());
-    layouts.push_back(F::kPhong ? layout<NormalPlanes<F>>() : layout<Planes<F>>());
+    if (!F::kHasMotion) layouts.push_back(F::kPhong ? layout<NormalPlanes<F>>() : layout<Planes<F>>());
     if (F::kHasTexture) layouts.push_back(layout<TextureCoordinates<F>>()), layouts.push_back(layout<TexturePlanes<F>>());
+    if (F::kHasMotion) layouts.push_back(layout<MotionVectors<F>>()), layouts.push_back(layout<MotionPlanes<F>>());
     if (F::kTestsPlanes) layouts.push_back(layout<TriangleDepth<F>>());
     for (const Layout& next : {layout<Stamp<F>>(), layout<Update<F>>(), layout<Visible<F>>(), layout<Scan<F>>()}) layouts.push_back(next);
     if (F::kHasTexture) layouts.push_back(layout<LitPixel<F>>());
-    layouts.push_back(layout<Pixel<F>>());
+    layouts.push_back(F::kHasMotion ? layout<Motion<F>>() : layout<Pixel<F>>());
     return layouts;
   }
 
@@ -50,6 +52,8 @@ class KernelEngine : public Engine {
     texels_ = load_texels<F>(frame, buffers_->texels);
     coordinates_ = frame.triangles;
   }
+
+  void move(const MotionFrame& frame) override { motion_vectors_ = frame.triangles; }
 
   void reuse_indices(int window) override { window_ = std::uint32_t(window); }
 
@@ -66,6 +70,19 @@ class KernelEngine : public Engine {
   void render_colour(const ref::SnappedList& scene, std::vector<std::array<std::uint8_t, 4>>& colour) override {
     draw(scene, nullptr);
     scan(scene, colour);
+  }
+
+  std::vector<RawMotion> motion(const ref::SnappedList& scene) override {
+    std::vector<Motion<F>> words;
+    streams_->motion.tap(&words);
+    draw(scene, nullptr);
+    std::vector<std::array<std::uint8_t, 4>> colour;
+    scan(scene, colour);
+    streams_->motion.tap(nullptr);
+    std::vector<RawMotion> field;
+    field.reserve(words.size());
+    for (const Motion<F>& word : words) field.push_back(plain_motion<F>(word));
+    return field;
   }
 
   std::vector<int> visits(const ref::SnappedList& scene) override {
@@ -98,12 +115,17 @@ class KernelEngine : public Engine {
     std::vector<Visible<F>> visible;
     std::vector<Scan<F>> scan;
     std::vector<Pixel<F>> lit, pixel;
+    std::vector<MotionVectors<F>> motion_vectors;
+    std::vector<MotionPlanes<F>> motion_planes;
+    std::vector<Motion<F>> motion;
+    s.motion_vectors.tap(&motion_vectors), s.motion_planes.tap(&motion_planes), s.motion.tap(&motion);
     s.triangle.tap(&triangle), s.setup.tap(&setup), s.attributes.tap(&attributes), s.planes.tap(&planes);
     s.visible_attributes.tap(&visible_attributes), s.normals.tap(&normals), s.colours.tap(&colours);
     s.normal_planes.tap(&normal_planes), s.texture_coordinates.tap(&texture_coordinates), s.texture_planes.tap(&texture_planes);
     s.triangle_depth.tap(&triangle_depth), s.lit.tap(&lit);
     s.stamp.tap(&stamp), s.update.tap(&update), s.visible.tap(&visible), s.scan.tap(&scan), s.pixel.tap(&pixel);
     render(scene);
+    s.motion_vectors.tap(nullptr), s.motion_planes.tap(nullptr), s.motion.tap(nullptr);
     s.triangle.tap(nullptr), s.setup.tap(nullptr), s.attributes.tap(nullptr), s.planes.tap(nullptr);
     s.visible_attributes.tap(nullptr), s.normals.tap(nullptr), s.colours.tap(nullptr);
     s.normal_planes.tap(nullptr), s.texture_coordinates.tap(nullptr), s.texture_planes.tap(nullptr);
@@ -116,12 +138,14 @@ class KernelEngine : public Engine {
     if (F::kHasLighting) tell(normals, sink);
     if (F::kHasLighting && !F::kPhong) tell(colours, sink);
     if (F::kPhong) tell(normal_planes, sink);
-    else tell(planes, sink);
+    else if (!F::kHasMotion) tell(planes, sink);
     if (F::kHasTexture) tell(texture_coordinates, sink), tell(texture_planes, sink);
+    if (F::kHasMotion) tell(motion_vectors, sink), tell(motion_planes, sink);
     if (F::kTestsPlanes) tell(triangle_depth, sink);
     tell(stamp, sink), tell(update, sink), tell(visible, sink), tell(scan, sink);
     if (F::kHasTexture) tell(lit, sink, layout<LitPixel<F>>());
-    tell(pixel, sink);
+    if (F::kHasMotion) tell(motion, sink);
+    else tell(pixel, sink);
   }
 
  private:
@@ -176,6 +200,9 @@ class KernelEngine : public Engine {
     if (F::kHasTexture && coordinates_.size() != scene.triangles.size()) {
       throw ref::Error("the configuration draws textures, and the triangles came without coordinates: take one without texture");
     }
+    if (F::kHasMotion && motion_vectors_.size() != scene.triangles.size()) {
+      throw ref::Error("the configuration is of frames in between, and the triangles came without motion: take one that shades them");
+    }
     if (visible) visible->resize(scene.triangles.size());
     const Frame<F> registers = frame_registers(scene);
     const std::size_t count = scene.triangles.size();
@@ -203,6 +230,9 @@ class KernelEngine : public Engine {
       }
       if (F::kHasTexture && raw(done.visible)) {
         streams_->texture_coordinates.write(coordinates_record<F>(coordinates_[k], int(raw(done.index)), raw(done.last) != 0));
+      }
+      if (F::kHasMotion && raw(done.visible)) {
+        streams_->motion_vectors.write(vectors_record<F>(motion_vectors_[k], int(raw(done.index)), raw(done.last) != 0));
       }
       pipeline_planes(*streams_, *buffers_);
       pool.done(std::uint32_t(raw(done.index)), raw(done.visible) != 0);
@@ -246,12 +276,16 @@ class KernelEngine : public Engine {
     }
   }
 
-  // Scans the frame out and clears the I-buffer.
+  // Scans the frame out and clears the I-buffer. What a motion configuration gives goes to a tap or nowhere.
   void scan(const ref::SnappedList& scene, std::vector<std::array<std::uint8_t, 4>>& colour) {
-    colour.resize(std::size_t(scene.width) * scene.height);
+    colour.resize(F::kHasMotion ? 0 : std::size_t(scene.width) * scene.height);
     const Frame<F> registers = frame_registers(scene);
     for (int stamp_y = 0; stamp_y * F::kLanesY < scene.height; ++stamp_y) {
       pipeline_scan(registers, stamp_y, *streams_, *buffers_);
+      while (F::kHasMotion && !streams_->scan.empty()) {
+        pipeline_motion(*streams_, *buffers_);
+        while (!streams_->motion.empty()) streams_->motion.read();
+      }
       while (!streams_->scan.empty()) {
         pipeline_shade(registers, *streams_, *buffers_);
         const Pixel<F> in = streams_->pixel.read();
@@ -280,6 +314,7 @@ class KernelEngine : public Engine {
   std::vector<TextureEntry<F>> textures_;
   std::vector<Texel<F>> texels_;
   std::vector<RawCoordinates> coordinates_;
+  std::vector<RawMotionVectors> motion_vectors_;
 };
 
 // make(stamp) for the stamp of this many lanes; null if there is none.

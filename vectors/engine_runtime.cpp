@@ -28,6 +28,10 @@ class RuntimeEngine : public Engine {
     activate();
     kernels_->texture(frame);
   }
+  void move(const MotionFrame& frame) override {
+    activate();
+    kernels_->move(frame);
+  }
   void reuse_indices(int window) override { kernels_->reuse_indices(window); }
   ref::Frame render(const ref::SnappedList& scene) override {
     activate();
@@ -36,6 +40,10 @@ class RuntimeEngine : public Engine {
   void render_colour(const ref::SnappedList& scene, std::vector<std::array<std::uint8_t, 4>>& colour) override {
     activate();
     kernels_->render_colour(scene, colour);
+  }
+  std::vector<RawMotion> motion(const ref::SnappedList& scene) override {
+    activate();
+    return kernels_->motion(scene);
   }
   std::vector<int> visits(const ref::SnappedList& scene) override {
     activate();

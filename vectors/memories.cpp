@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "vectors/memories.hpp"
 
-#include "hls/formats.hpp"
+#include "hls/records.hpp"
 
 namespace halfspace::vectors {
 
 BufferBits entry_bits(const Config& config) {
   const FormatTable t = format_table(config);
-  const int shading = is_gouraud(config) ? 9 * t.colour_plane.width
+  const int keys = kKeys * (Bit::width() + 2 * t.origin.width + t.extent.width +
+                            (has_perspective(config) ? 9 : 6) * t.coordinate_plane.width +
+                            (relights(config) ? 9 * t.difference_plane.width : 0));
+  const int shading = has_motion(config)   ? t.face.width + keys
+                      : is_gouraud(config) ? 9 * t.colour_plane.width
                       : is_phong(config) ? 9 * t.normal_plane.width + t.material.width : 3 * t.colour.width;
   return {stores_depth(config) ? t.depth.width : 0, 0, 0, t.index.width, tests_planes(config) ? 3 * t.depth_plane.width : 0, shading};
 }

@@ -285,7 +285,7 @@ class RuntimeEntries {
 template <class S>
 struct ShadingDatabase<RuntimeFormats<S>> {
   using F = RuntimeFormats<S>;
-  RuntimeEntries<Planes<F>> planes{F::kPhong ? 1 : F::kTriangles};
+  RuntimeEntries<Planes<F>> planes{F::kPhong || F::kHasMotion ? 1 : F::kTriangles};
 };
 template <class S>
 struct NormalDatabase<RuntimeFormats<S>> {
@@ -302,6 +302,11 @@ template <class S>
 struct TextureDatabase<RuntimeFormats<S>> {
   using F = RuntimeFormats<S>;
   RuntimeEntries<TexturePlanes<F>> planes{F::kHasTexture ? F::kTriangles : 1};
+};
+template <class S>
+struct MotionDatabase<RuntimeFormats<S>> {
+  using F = RuntimeFormats<S>;
+  RuntimeEntries<MotionPlanes<F>> planes{F::kHasMotion ? F::kTriangles : 1};
 };
 template <class S>
 struct TextureTable<RuntimeFormats<S>> {

@@ -34,6 +34,8 @@ const std::map<std::string, Ends> kEnds = {
     {"texture", {"host", "shade_texture", ""}},           {"texel", {"host", "shade_texture", ""}},
     {"texture_coordinates", {"geometry", "texture_setup", ""}},
     {"texture_planes", {"texture_setup", "tdbs", ""}},    {"lit", {"shade_gouraud", "shade_texture", "scan"}},
+    {"motion_vectors", {"geometry", "motion_setup", ""}}, {"motion_planes", {"motion_setup", "tdbs", ""}},
+    {"motion", {"motion_field", "motion_compensate", ""}},
 };
 
 // A .hex file and the digest of its text.
@@ -87,6 +89,7 @@ class HexFile {
       if (layout_.stream == "visible") ends.from = "visible_select";
     }
     if (has_texture(config_) && layout_.stream == "pixel") ends.from = "shade_texture";
+    if (has_motion(config_)) replace("shade_setup", "motion_setup"), replace("shade_gouraud", "motion_field");
     if (tests_planes(config_)) replace("ztest_index", "ztest_plane");
     if (is_phong(config_)) {
       replace("shade_setup", "phong_setup"), replace("shade_gouraud", "shade_phong");
@@ -142,6 +145,7 @@ std::string write_vector_set(const std::string& folder, const VectorSetOptions& 
     };
     if (has_lighting(configuration.config())) engine->light(frames[n].lighting);
     if (has_texture(configuration.config())) engine->texture(frames[n].texture);
+    if (has_motion(configuration.config())) engine->move(frames[n].motion);
     engine->capture(scene, sink);
     frame_list.push_back({{"width", scene.width},
                           {"height", scene.height},

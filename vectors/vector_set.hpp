@@ -10,6 +10,7 @@
 #include "ref/snap.hpp"
 #include "vectors/configuration.hpp"
 #include "vectors/lighting.hpp"
+#include "vectors/motion.hpp"
 #include "vectors/texture.hpp"
 
 namespace halfspace::vectors {
@@ -19,6 +20,7 @@ struct NamedFrame {
   ref::SnappedList scene;
   LightingFrame lighting = {};  // with lighting: the normals of its triangles, and what they are lit with
   TextureFrame texture = {};    // with texture: their coordinates, and the textures
+  MotionFrame motion = {};      // of a motion configuration: where they are in the key frames
 };
 
 struct VectorSetOptions {

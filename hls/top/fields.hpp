@@ -34,6 +34,9 @@ constexpr int kNormalsFields = 3 + (TopFormats::kShadesPlanes ? 9 : 3), kColours
 constexpr int kNormalPlanesFields = 13;
 constexpr int kTextureCoordinatesFields = 4 + (TopFormats::kPerspective ? 9 : 6);
 constexpr int kTexturePlanesFields = kTextureCoordinatesFields + 1;
+constexpr int kKeyFields = (TopFormats::kPerspective ? 9 : 6) + (TopFormats::kRelights ? 9 : 0);
+constexpr int kMotionVectorsFields = 3 + kKeys * (4 + kKeyFields), kMotionPlanesFields = kMotionVectorsFields + 1;
+constexpr int kMotionFields = 4 + kKeys * (3 + (TopFormats::kRelights ? 3 : 0));
 
 class FieldReader {
  public:

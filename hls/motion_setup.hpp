@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// The planes of a triangle's places in the key frames, for TdbS: of each key s and t, with perspective q, and with F::kRelights
+// three of colour differences. Places and differences are channels as depths and colours are, unsigned, and so their planes have
+// the widths and the bounds of those. Attributes and words of motion come in one order, motion not for empty ones.
+// Interval of the RTL: that of texture_setup, with F::kRelights that of six planes; both keys side by side.
+#ifndef HALFSPACE_HLS_MOTION_SETUP_HPP_
+#define HALFSPACE_HLS_MOTION_SETUP_HPP_
+
+#include "plane.hpp"
+
+namespace halfspace {
+
+template <class F>
+KeyPlanes<F> key_planes(const PlaneBase<F>& base, const VertexOrder& order, const KeyPlaces<F>& given) {
+  KeyPlanes<F> out{};
+  out.there = given.there;
+  out.origin_x = given.origin_x;
+  out.origin_y = given.origin_y;
+  out.extent = given.extent;
+  const typename F::Coordinate* const place[3] = {given.s, given.t, given.q};
+Places:
+  for (int i = 0; i < (F::kPerspective ? 3 : 2); ++i) {
+    const auto plane = plane_setup<F, typename F::CoordinateChannel>(base, place[i][order.vertex[0]], place[i][order.vertex[1]],
+                                                                     place[i][order.vertex[2]]);
+    out.start[i] = plane.start;
+    out.dx[i] = plane.dx;
+    out.dy[i] = plane.dy;
+  }
+  if (!F::kRelights) return out;
+  const typename F::Difference* const difference[3] = {given.r, given.g, given.b};
+Differences:
+  for (int i = 0; i < 3; ++i) {
+    const auto plane = plane_setup<F, typename F::DifferenceChannel>(
+        base, difference[i][order.vertex[0]], difference[i][order.vertex[1]], difference[i][order.vertex[2]]);
+    out.colour[i] = plane.start;
+    out.colour_dx[i] = plane.dx;
+    out.colour_dy[i] = plane.dy;
+  }
+  return out;
+}
+
+template <class F>
+void motion_setup(Stream<Attributes<F>>& attributes, Stream<MotionVectors<F>>& vectors, Stream<MotionPlanes<F>>& planes) {
+  const Attributes<F> in = attributes.read();
+
+  MotionPlanes<F> out{};
+  out.last = in.last;
+  out.empty = in.empty;
+  out.index = in.index;
+  if (!raw(in.empty)) {
+    const MotionVectors<F> given = vectors.read();
+    out.face = given.face;
+    const PlaneBase<F> base = frame_base(in);
+    const VertexOrder order = vertex_order(in);
+  Keys:
+    for (int k = 0; k < kKeys; ++k) out.key[k] = key_planes<F>(base, order, given.key[k]);
+  }
+  planes.write(out);
+}
+
+}  // namespace halfspace
+
+#endif  // HALFSPACE_HLS_MOTION_SETUP_HPP_

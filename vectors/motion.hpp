@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// Frames in between as the kernels take and give them: where each triangle is in the key frames, and the motion field.
+#ifndef HALFSPACE_VECTORS_MOTION_HPP_
+#define HALFSPACE_VECTORS_MOTION_HPP_
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "hls/formats.hpp"
+#include "ref/motion.hpp"
+
+namespace halfspace::vectors {
+
+// The raw bits of the records of the same names.
+struct RawKeyPlaces {
+  bool there = false;
+  int origin_x = 0, origin_y = 0, extent = 0;
+  std::array<int, 3> s{}, t{}, q{};                     // of the vertices in the order given; affine: q is 0
+  std::array<std::array<int, 3>, 3> difference{};  // of r, g, b, each of the vertices
+};
+struct RawMotionVectors {
+  int face = 0;
+  ref::OfKeys<RawKeyPlaces> key;
+};
+
+struct MotionFrame {
+  std::vector<RawMotionVectors> triangles;
+};
+
+// r, g, b of the three vertices, colour_bits each.
+using VertexColours = std::array<std::array<std::uint8_t, 3>, 3>;
+// Of a triangle: in between, and as the same points of the surface have them at the keys.
+struct ColoursInTime {
+  VertexColours between;
+  ref::OfKeys<VertexColours> at_key;
+};
+
+// The number of a face of the scene in key pixels and motion words: 1 … 2^face_bits − 1, again from 1 after that.
+int face_number(std::uint32_t face, const Config& config);
+
+// Of vertices at `place`, in pixels, and with `weight` = w at the key over w in between, all 1 without perspective. A triangle that
+// leaves the range of positions there has no place in the key frame.
+RawKeyPlaces quantized_places(const std::array<glm::dvec2, 3>& place, const std::array<double, 3>& weight, const Config& config);
+
+// Of the triangles of `between`. Affine: vertices are where they are snapped in either frame, as in ref::fixed_vectors; with
+// perspective at their exact places. A triangle with a vertex nearer than the near plane at a key has no place there. `colours`, a
+// triangle each, with relight alone: without, colours are the same at all times.
+MotionFrame motion_frame(const ref::Between& between, const Config& config, const std::vector<ColoursInTime>& colours = {});
+
+// A word of the motion field.
+struct RawKeyVector {
+  bool there = false;
+  int x = 0, y = 0;                   // in units of 2^−vector_fraction pixels
+  std::array<int, 3> difference{};  // r, g, b, plus 2^colour_bits; 0 without relight, and where nothing is there
+};
+struct RawMotion {
+  bool last = false;
+  int x = 0, y = 0, face = 0;
+  ref::OfKeys<RawKeyVector> key;
+};
+
+// For `triangles` triangles, from `seed`, as no scene has them: places of all kinds in turn: any, at the ends of the range of
+// positions, q as far apart as can be, hardly apart, in any octave, a triangle that is nowhere; differences likewise.
+MotionFrame awkward_motion(std::size_t triangles, const Config& config, std::uint64_t seed);
+
+}  // namespace halfspace::vectors
+
+#endif  // HALFSPACE_VECTORS_MOTION_HPP_

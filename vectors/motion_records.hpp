@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a MotionFrame has of a triangle as a record, and the records of the motion field as plain numbers.
+#ifndef HALFSPACE_VECTORS_MOTION_RECORDS_HPP_
+#define HALFSPACE_VECTORS_MOTION_RECORDS_HPP_
+
+#include "hls/records.hpp"
+#include "vectors/motion.hpp"
+
+namespace halfspace::vectors {
+
+template <class F>
+MotionVectors<F> vectors_record(const RawMotionVectors& in, int index, bool last) {
+  MotionVectors<F> out{};
+  out.last = from_raw<Bit>(last);
+  out.index = from_raw<typename F::Index>(index);
+  out.face = from_raw<typename F::Face>(in.face);
+  for (int k = 0; k < kKeys; ++k) {
+    const RawKeyPlaces& from = in.key[k];
+    KeyPlaces<F>& to = out.key[k];
+    to.there = from_raw<Bit>(from.there);
+    to.origin_x = from_raw<typename F::Origin>(from.origin_x);
+    to.origin_y = from_raw<typename F::Origin>(from.origin_y);
+    to.extent = from_raw<typename F::Extent>(from.extent);
+    for (int v = 0; v < 3; ++v) {
+      to.s[v] = from_raw<typename F::Coordinate>(from.s[v]);
+      to.t[v] = from_raw<typename F::Coordinate>(from.t[v]);
+      to.q[v] = from_raw<typename F::Coordinate>(from.q[v]);
+      to.r[v] = from_raw<typename F::Difference>(from.difference[0][v]);
+      to.g[v] = from_raw<typename F::Difference>(from.difference[1][v]);
+      to.b[v] = from_raw<typename F::Difference>(from.difference[2][v]);
+    }
+  }
+  return out;
+}
+
+template <class F>
+RawMotion plain_motion(const Motion<F>& in) {
+  RawMotion out;
+  out.last = raw(in.last) != 0;
+  out.x = int(raw(in.x));
+  out.y = int(raw(in.y));
+  out.face = int(raw(in.face));
+  for (int k = 0; k < kKeys; ++k) {
+    const KeyVector<F>& from = in.key[k];
+    out.key[k] = {raw(from.there) != 0, int(raw(from.x)), int(raw(from.y)), {}};
+    if (F::kRelights) out.key[k].difference = {int(raw(from.r)), int(raw(from.g)), int(raw(from.b))};
+  }
+  return out;
+}
+
+}  // namespace halfspace::vectors
+
+#endif  // HALFSPACE_VECTORS_MOTION_RECORDS_HPP_
