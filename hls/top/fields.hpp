@@ -34,6 +34,7 @@ constexpr int kNormalsFields = 3 + (TopFormats::kShadesPlanes ? 9 : 3), kColours
 constexpr int kNormalPlanesFields = 13;
 constexpr int kTextureCoordinatesFields = 4 + (TopFormats::kPerspective ? 9 : 6);
 constexpr int kTexturePlanesFields = kTextureCoordinatesFields + 1;
+constexpr int kMotionFields = 4 + 2 * (TopFormats::kRelights ? 6 : 3), kCompensatedFields = 7;
 
 class FieldReader {
  public:
