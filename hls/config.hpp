@@ -81,6 +81,8 @@ constexpr bool is_bilinear(const Config& c) { return c.texture == TextureFilter:
 constexpr bool has_perspective(const Config& c) { return c.mapping == TextureMapping::kPerspective; }
 constexpr bool has_motion(const Config& c) { return c.shading == Shading::kMotion; }
 constexpr bool relights(const Config& c) { return c.relight != 0; }
+// N: a key frame's pixels are kept in N × N banks, by column and row modulo N, of which a filter reads each at once.
+constexpr int key_side(KeyFilter filter) { return filter == KeyFilter::kBicubic ? 4 : 2; }
 // Whether there are planes of coordinates: of a texture, or of places in key frames.
 constexpr bool has_coordinates(const Config& c) { return has_texture(c) || has_motion(c); }
 // Whether normals, texture coordinates or motion of a triangle come after it has turned out visible (deferred shading).

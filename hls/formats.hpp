@@ -30,6 +30,7 @@ struct FormatTable {
   NumberFormat coordinate_start, coordinate_start_gradient;
   NumberFormat inverse, inverse_shift, texel_place, filtered;
   NumberFormat face, origin, extent, vector, key_weight;
+  NumberFormat tile_x, tile_y, key_place, tap_weight, key_sum, key_blend;
   NumberFormat difference, difference_plane, difference_gradient, difference_numerator;
   NumberFormat difference_start, difference_start_gradient;
 };
@@ -46,6 +47,9 @@ constexpr int kRepeatBits = 4;
 // Fraction bits of the place of a pixel among texels: the weights of a bilinear filter. And those that the filtered
 // texel keeps: half of its last place is 2^−9 LSB of the picture.
 constexpr int kWeightBits = 8, kFilteredFraction = 8;
+
+// Pixels of a tile of a key frame, each way: what its cache fetches at once.
+constexpr int kKeyTile = 8;
 
 // u: fraction bits of a cosine. An exponent of 16 makes 16 times its error, so that 2^−(b+8) becomes 2^−4 LSB.
 constexpr int cosine_fraction(const Config& c) { return c.colour_bits + 8; }
@@ -121,6 +125,20 @@ constexpr FormatTable motion_formats(const Config& c, FormatTable t) {
   t.extent = {bits_for(c.range_bits), bits_for(c.range_bits), false};
   t.vector = {c.vector_range + 1 + c.vector_fraction, c.vector_range + 1, true};
   t.key_weight = {c.weight_bits + 1, 1, false};  // 0 … 1
+  const int samples = has_motion(c) ? c.samples : 1, point = exact_log2(samples), w = c.weight_bits;
+  const int tiles_x = (c.width + kKeyTile * samples - 1) / (kKeyTile * samples);
+  const int tiles_y = (c.height + kKeyTile * samples - 1) / (kKeyTile * samples);
+  t.tile_x = {bits_for(tiles_x - 1), bits_for(tiles_x - 1), false};
+  t.tile_y = {bits_for(tiles_y - 1), bits_for(tiles_y - 1), false};
+  // A place in a key frame less half a pixel of that, in pixels in between: at least ½ − 2^r − 2, and less than side + 2^r, which
+  // has r + 1 bits or more. The pixels of a key frame move the point.
+  const int reach = 1 + bits_for(max_of(c.width, c.height) + (1 << c.vector_range));
+  t.key_place = {reach + c.vector_fraction, reach - point, true};
+  t.tap_weight = {w + 2, 2, true};  // −½ … 1
+  // Σ weights·colours of one key, exact; a bicubic one lies in (−½, 3/2) of full scale, and a difference adds (−1, 1).
+  const int head = c.colour_bits + int(c.filter == KeyFilter::kBicubic) + int(relights(c)) + 1;
+  t.key_sum = {head + 2 * w, head, true};
+  t.key_blend = {head + 3 * w, head, true};  // a mean of two of them
   // A difference of colours plus 2^c is a whole number without a sign, as the other channels are.
   const ChannelFormats difference = channel_formats(c, c.colour_bits + 1, c.colour_fraction);
   t.difference = difference.value;
@@ -349,6 +367,10 @@ struct Formats {
   using Extent = HS_NUMBER(extent);
   using Vector = HS_NUMBER(vector);
   using KeyWeight = HS_NUMBER(key_weight);
+  using TileX = HS_NUMBER(tile_x);
+  using TileY = HS_NUMBER(tile_y);
+  using KeySum = HS_NUMBER(key_sum);
+  using KeyBlend = HS_NUMBER(key_blend);
   using Difference = HS_NUMBER(difference);
   using DifferencePlane = HS_NUMBER(difference_plane);
   using DifferenceGradient = HS_NUMBER(difference_gradient);

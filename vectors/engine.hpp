@@ -50,7 +50,7 @@ class Engine {
   virtual ref::Frame render(const ref::SnappedList& scene) = 0;
   // The picture alone.
   virtual void render_colour(const ref::SnappedList& scene, std::vector<std::array<std::uint8_t, 4>>& colour) = 0;
-  // Of a motion configuration the motion field: the words of `motion`. One of face 0 ends a frame whose last stamp is background.
+  // Of a motion configuration the motion field: the words of `motion`, one a pixel that shows a face.
   virtual std::vector<RawMotion> motion(const ref::SnappedList& scene) = 0;
   // How many stamps the rasterizer visits for each triangle, covered or not: its cycles.
   virtual std::vector<int> visits(const ref::SnappedList& scene) = 0;

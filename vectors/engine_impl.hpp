@@ -81,7 +81,9 @@ class KernelEngine : public Engine {
     streams_->motion.tap(nullptr);
     std::vector<RawMotion> field;
     field.reserve(words.size());
-    for (const Motion<F>& word : words) field.push_back(plain_motion<F>(word));
+    for (const Motion<F>& word : words) {
+      if (raw(word.face) != 0) field.push_back(plain_motion<F>(word));
+    }
     return field;
   }
 

@@ -48,18 +48,6 @@ RawKeyPlaces quantized_places(const std::array<glm::dvec2, 3>& place, const std:
 // triangle each, with relight alone: without, colours are the same at all times.
 MotionFrame motion_frame(const ref::Between& between, const Config& config, const std::vector<ColoursInTime>& colours = {});
 
-// A word of the motion field.
-struct RawKeyVector {
-  bool there = false;
-  int x = 0, y = 0;                   // in units of 2^−vector_fraction pixels
-  std::array<int, 3> difference{};  // r, g, b, plus 2^colour_bits; 0 without relight, and where nothing is there
-};
-struct RawMotion {
-  bool last = false;
-  int x = 0, y = 0, face = 0;
-  ref::OfKeys<RawKeyVector> key;
-};
-
 // For `triangles` triangles, from `seed`, as no scene has them: places of all kinds in turn: any, at the ends of the range of
 // positions, q as far apart as can be, hardly apart, in any octave, a triangle that is nowhere; differences likewise.
 MotionFrame awkward_motion(std::size_t triangles, const Config& config, std::uint64_t seed);

@@ -5,6 +5,7 @@
 
 #include "hls/records.hpp"
 #include "vectors/motion.hpp"
+#include "vectors/motion_words.hpp"
 
 namespace halfspace::vectors {
 
@@ -36,14 +37,17 @@ MotionVectors<F> vectors_record(const RawMotionVectors& in, int index, bool last
 template <class F>
 RawMotion plain_motion(const Motion<F>& in) {
   RawMotion out;
-  out.last = raw(in.last) != 0;
   out.x = int(raw(in.x));
   out.y = int(raw(in.y));
-  out.face = int(raw(in.face));
-  for (int k = 0; k < kKeys; ++k) {
+  out.face = std::uint32_t(raw(in.face));
+  for (std::size_t k = 0; k < kKeys; ++k) {
     const KeyVector<F>& from = in.key[k];
-    out.key[k] = {raw(from.there) != 0, int(raw(from.x)), int(raw(from.y)), {}};
-    if (F::kRelights) out.key[k].difference = {int(raw(from.r)), int(raw(from.g)), int(raw(from.b))};
+    RawKeyVector& to = out.key[k];
+    to.there = raw(from.there) != 0;
+    to.x = int(raw(from.x));
+    to.y = int(raw(from.y));
+    const int zero = 1 << F::kColourBits;
+    if (F::kRelights && to.there) to.difference = {int(raw(from.r)) - zero, int(raw(from.g)) - zero, int(raw(from.b)) - zero};
   }
   return out;
 }

@@ -213,6 +213,10 @@ struct RuntimeFormats {
   using Extent = RuntimeFixed<&FormatTable::extent, false>;
   using Vector = RuntimeFixed<&FormatTable::vector, true>;
   using KeyWeight = RuntimeFixed<&FormatTable::key_weight, false>;
+  using TileX = RuntimeFixed<&FormatTable::tile_x, false>;
+  using TileY = RuntimeFixed<&FormatTable::tile_y, false>;
+  using KeySum = RuntimeFixed<&FormatTable::key_sum, true>;
+  using KeyBlend = RuntimeFixed<&FormatTable::key_blend, true>;
   using Difference = RuntimeFixed<&FormatTable::difference, false>;
   using DifferencePlane = RuntimeFixed<&FormatTable::difference_plane, false>;
   using DifferenceGradient = RuntimeFixed<&FormatTable::difference_gradient, true>;

@@ -37,6 +37,7 @@ constexpr int kTexturePlanesFields = kTextureCoordinatesFields + 1;
 constexpr int kKeyFields = (TopFormats::kPerspective ? 9 : 6) + (TopFormats::kRelights ? 9 : 0);
 constexpr int kMotionVectorsFields = 3 + kKeys * (4 + kKeyFields), kMotionPlanesFields = kMotionVectorsFields + 1;
 constexpr int kMotionFields = 4 + kKeys * (3 + (TopFormats::kRelights ? 3 : 0));
+constexpr int kCompensatedFields = 7;
 
 class FieldReader {
  public:

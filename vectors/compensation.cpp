@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vectors/compensation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <tuple>
+
+#include "hls/motion_compensate.hpp"
+#include "ref/error.hpp"
+#include "vectors/runtime_formats.hpp"
+
+namespace halfspace {
+
+// The tables of the configuration that was active when they were made.
+template <class S>
+struct KeyWeights<RuntimeFormats<S>> {
+  using F = RuntimeFormats<S>;
+  std::vector<AxisWeights> inner, outer;
+
+  KeyWeights() {
+    const int g = F::kVectorFraction + F::kLog2Samples;
+    for (int n = 0; n < 1 << g; ++n) {
+      inner.push_back(axis_weights(inner_filter(F::kFilter), n, g, F::kWeightBits));
+      outer.push_back(axis_weights(F::kFilter, n, g, F::kWeightBits));
+    }
+  }
+};
+
+namespace vectors {
+namespace {
+
+using F = RuntimeFormats<Stamp1>;
+
+constexpr const char* kRequests[2] = {"key_request_0", "key_request_1"};
+constexpr const char* kBlocks[2] = {"key_block_0", "key_block_1"};
+
+template <class Record>
+Layout named_layout(const char* stream) {
+  Layout result = layout<Record>();
+  result.stream = stream;
+  return result;
+}
+
+template <class Record>
+CompensationWords words_of(const std::vector<Record>& records, const Layout& layout) {
+  CompensationWords out{layout, {}};
+  for (const Record& record : records) out.words.push_back(pack(record, layout.bits));
+  return out;
+}
+
+// The memory of a key frame: blocks of a tile together; beyond the frame pixels of no face.
+template <int N>
+std::vector<KeyBlock<F, N>> key_memory(const KeyFrame& key) {
+  const int tiles_x = (key.width + kKeyTile - 1) / kKeyTile, tiles_y = (key.height + kKeyTile - 1) / kKeyTile;
+  std::vector<KeyBlock<F, N>> memory(std::size_t(tiles_x) * tiles_y * blocks_a_tile(N));
+  for (int y = 0; y < key.height; ++y) {
+    for (int x = 0; x < key.width; ++x) {
+      const int tile = y / kKeyTile * tiles_x + x / kKeyTile;
+      const int block = y % kKeyTile / N * blocks_a_row(N) + x % kKeyTile / N, lane = y % N * N + x % N;
+      KeyBlock<F, N>& out = memory[std::size_t(tile) * blocks_a_tile(N) + block];
+      const std::size_t at = std::size_t(y) * key.width + x;
+      out.r[lane] = from_raw<F::Colour>(key.rgb[at][0]);
+      out.g[lane] = from_raw<F::Colour>(key.rgb[at][1]);
+      out.b[lane] = from_raw<F::Colour>(key.rgb[at][2]);
+      out.face[lane] = from_raw<F::Face>(key.face[at]);
+    }
+  }
+  return memory;
+}
+
+Motion<F> motion_record(const RawMotion& in, bool last) {
+  Motion<F> out{};
+  out.last = from_raw<Bit>(last);
+  out.x = from_raw<F::X>(in.x);
+  out.y = from_raw<F::Y>(in.y);
+  out.face = from_raw<F::Face>(in.face);
+  for (int k = 0; k < kKeys; ++k) {
+    const RawKeyVector& v = in.key[std::size_t(k)];
+    const int zero = 1 << F::kColourBits;
+    out.key[k].there = from_raw<Bit>(v.there);
+    out.key[k].x = from_raw<F::Vector>(v.x);
+    out.key[k].y = from_raw<F::Vector>(v.y);
+    out.key[k].r = from_raw<F::Difference>(v.difference[0] + zero);
+    out.key[k].g = from_raw<F::Difference>(v.difference[1] + zero);
+    out.key[k].b = from_raw<F::Difference>(v.difference[2] + zero);
+  }
+  return out;
+}
+
+void check(const CompensationInput& input, const Configuration& configuration) {
+  const Config c = configuration.config();
+  const auto refuse = [&](const std::string& why) {
+    throw ref::Error(fmt::format("compensation in configuration {}: {}", configuration.name(), why));
+  };
+  if (input.width < 1 || input.width > c.width || input.height < 1 || input.height > c.height) {
+    refuse(fmt::format("a frame of {}x{} pixels, and {}x{} is the largest: raise its width and height", input.width, input.height,
+                       c.width, c.height));
+  }
+  const int width = (input.width + c.samples - 1) / c.samples, height = (input.height + c.samples - 1) / c.samples;
+  for (const KeyFrame* key : input.key) {
+    const std::size_t pixels = std::size_t(width) * height;
+    if (!key || key->width != width || key->height != height || key->rgb.size() != pixels || key->face.size() != pixels) {
+      refuse(fmt::format("a key frame is not of {}x{} pixels, one for {} each way: render it in that size", width, height, c.samples));
+    }
+  }
+  if (input.weight < 0 || input.weight > 1 << c.weight_bits) {
+    refuse(fmt::format("a weight of {}, and 0 … {} are those of weight_bits: round it", input.weight, 1 << c.weight_bits));
+  }
+}
+
+template <int N>
+CompensatedFrame compensate(const CompensationInput& input, const Config& config, std::vector<CompensationWords>* streams) {
+  std::vector<RawMotion> motion = input.motion;
+  order_by_tiles(motion, config);
+  if (motion.empty()) motion.emplace_back();  // the word that ends a frame
+  CompensationFrame<F> frame;
+  frame.width = from_raw<F::X>(input.width);
+  frame.height = from_raw<F::Y>(input.height);
+  frame.weight = from_raw<F::KeyWeight>(input.weight);
+  const KeyWeights<F> weights;
+  const std::vector<KeyBlock<F, N>> memory[kKeys] = {key_memory<N>(*input.key[0]), key_memory<N>(*input.key[1])};
+  const auto caches = std::make_unique<std::array<KeyCache<F, N>, kKeys>>();
+  Probe<KeyRequest<F>> request[kKeys];
+  Probe<KeyBlock<F, N>> block[kKeys];
+  std::vector<KeyRequest<F>> requests[kKeys];
+  std::vector<KeyBlock<F, N>> blocks[kKeys];
+  Stream<Motion<F>> in;
+  Stream<Compensated<F>> out;
+  std::vector<Motion<F>> words;
+  std::vector<Compensated<F>> compensated;
+  for (int k = 0; k < kKeys; ++k) {
+    request[k].tap(&requests[k]);
+    if (streams) block[k].tap(&blocks[k]);
+  }
+  if (streams) in.tap(&words), out.tap(&compensated);
+  const KeyPort<F, N> port[kKeys] = {{&(*caches)[0], memory[0].data(), &request[0], &block[0]},
+                                     {&(*caches)[1], memory[1].data(), &request[1], &block[1]}};
+  CompensatedFrame result;
+  for (std::size_t n = 0; n < motion.size(); ++n) {
+    const std::size_t before[kKeys] = {requests[0].size(), requests[1].size()};
+    in.write(motion_record(motion[n], n + 1 == motion.size()));
+    motion_compensate<F, N>(frame, weights, in, port, out);
+    const Compensated<F> pixel = out.read();
+    result.pixels.push_back({int(raw(pixel.x)), int(raw(pixel.y)),
+                             {std::uint8_t(raw(pixel.r)), std::uint8_t(raw(pixel.g)), std::uint8_t(raw(pixel.b))},
+                             int(raw(pixel.keys))});
+    result.fills += std::max(requests[0].size() - before[0], requests[1].size() - before[1]);
+  }
+  result.misses = {requests[0].size(), requests[1].size()};
+  if (streams) {
+    KeyWeightWord<F> weight;
+    weight.weight = frame.weight;
+    *streams = {words_of<KeyWeightWord<F>>({weight}, layout<KeyWeightWord<F>>()),
+                words_of(words, layout<Motion<F>>()),
+                words_of(requests[0], named_layout<KeyRequest<F>>(kRequests[0])),
+                words_of(requests[1], named_layout<KeyRequest<F>>(kRequests[1])),
+                words_of(blocks[0], named_layout<KeyBlock<F, N>>(kBlocks[0])),
+                words_of(blocks[1], named_layout<KeyBlock<F, N>>(kBlocks[1])),
+                words_of(compensated, layout<Compensated<F>>())};
+  }
+  return result;
+}
+
+template <int N>
+std::vector<Layout> layouts_of() {
+  return {layout<KeyWeightWord<F>>(),
+          layout<Motion<F>>(),
+          named_layout<KeyRequest<F>>(kRequests[0]),
+          named_layout<KeyRequest<F>>(kRequests[1]),
+          named_layout<KeyBlock<F, N>>(kBlocks[0]),
+          named_layout<KeyBlock<F, N>>(kBlocks[1]),
+          layout<Compensated<F>>()};
+}
+
+}  // namespace
+
+int key_pixel_bits(const Config& config) { return 3 * config.colour_bits + config.face_bits; }
+
+void order_by_tiles(std::vector<RawMotion>& motion, const Config& config) {
+  const int side = kKeyTile * config.samples;
+  std::stable_sort(motion.begin(), motion.end(), [&](const RawMotion& a, const RawMotion& b) {
+    return std::make_tuple(a.y / side, a.x / side, a.y, a.x) < std::make_tuple(b.y / side, b.x / side, b.y, b.x);
+  });
+}
+
+Compensator::Compensator(const Configuration& configuration)
+    : configuration_(configuration), table_(format_table(configuration.config())) {
+  if (!has_motion(configuration.config())) {
+    throw ref::Error(fmt::format("configuration {} has no key frames: take one with shading = \"motion\"", configuration.name()));
+  }
+}
+
+CompensatedFrame Compensator::run(const CompensationInput& input) const {
+  check(input, configuration_);
+  const Config config = configuration_.config();
+  F::activate(config, table_);
+  return key_side(config.filter) == 4 ? compensate<4>(input, config, nullptr) : compensate<2>(input, config, nullptr);
+}
+
+CompensatedFrame Compensator::capture(const CompensationInput& input, std::vector<CompensationWords>& streams) const {
+  check(input, configuration_);
+  const Config config = configuration_.config();
+  F::activate(config, table_);
+  return key_side(config.filter) == 4 ? compensate<4>(input, config, &streams) : compensate<2>(input, config, &streams);
+}
+
+std::vector<Layout> Compensator::layouts() const {
+  F::activate(configuration_.config(), table_);
+  return key_side(configuration_.config().filter) == 4 ? layouts_of<4>() : layouts_of<2>();
+}
+
+}  // namespace vectors
+}  // namespace halfspace
