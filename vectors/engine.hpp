@@ -15,6 +15,7 @@
 #include "vectors/layout.hpp"
 #include "vectors/lighting.hpp"
 #include "vectors/motion.hpp"
+#include "vectors/motion_words.hpp"
 #include "vectors/texture.hpp"
 
 namespace halfspace::vectors {
