@@ -21,8 +21,7 @@ module hs_edge_setup #(
   localparam int unsigned HasDepth = hs_formats_pkg::HasDepth,
   localparam int unsigned Gouraud = hs_formats_pkg::Gouraud,
   localparam int unsigned DepthsBits = HasDepth != 0 ? 3 * hs_formats_pkg::DepthBits : 1,
-  localparam int unsigned Phong = hs_formats_pkg::Phong,
-  localparam int unsigned HasTexture = hs_formats_pkg::HasTexture,
+  localparam int unsigned SendsShape = hs_formats_pkg::SendsShape,
   localparam int unsigned ColourBits = hs_formats_pkg::TriangleColourBits,
   localparam int unsigned OrderBits = hs_formats_pkg::OrderBits,
   localparam int unsigned ShadeBits = OrderBits + ColourBits != 0 ? OrderBits + ColourBits : 1
@@ -66,7 +65,7 @@ module hs_edge_setup #(
   // Order: which vertex is first. Cross: the products of D. Send: D to hs_reciprocal, if there is
   // one. Take: the triangle to the output. Edges: the products of the edge functions.
   typedef enum logic [2:0] {Order, Cross, Send, Take, Edges} state_e;
-  localparam state_e AfterCross = HasDepth != 0 || Gouraud != 0 || Phong != 0 || HasTexture != 0 ? Send : Take;
+  localparam state_e AfterCross = HasDepth != 0 || SendsShape != 0 ? Send : Take;
   state_e state_q;
   logic [2:0] step_q;
   logic swap_q, zero_q, outside, negative, zero, take, take_empty, free;

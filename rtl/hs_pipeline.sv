@@ -12,13 +12,15 @@
 // Deferred shading, where there is lighting or texture: the attributes wait in a queue, visible_select stands
 // before hs_shading and `visible`, and geometry answers each `visible` that says so with a word of
 // `normals`, of `texture_coordinates`, or of each, in order. It may take its time; it must take `visible` meanwhile.
+// Of a frame between key frames the answer is a word of `motion_vectors`, and hs_motion, which gives
+// `motion` and no pixels, stands where hs_shading does.
 // Type gamma: ztest_plane, with a stream triangle_depth from raster_pineda, and TdbV stand where
 // ztest_index and the Z-buffer do. Else triangle_depth_o is one bit, 0, never valid.
 //
 // A frame is drawn while the one before is scanned out; see hs_frame_control. Cycles a frame in steady
 // state: the most of triangles × interval of triangle_setup, visited stamps, and groups of
 // shade_gouraud, and a few hundred.
-// Stall: each stream waits for its taker; a `visible` or `pixel` not taken stops all that is before.
+// Stall: each stream waits for its taker; a `visible`, `pixel` or `motion` not taken stops all that is before.
 // Frame registers, lights, materials and textures change only while busy_o is 0. Inner streams are there to watch, where the unit
 // offers them. `planes` never waits.
 module hs_pipeline #(
@@ -51,7 +53,11 @@ module hs_pipeline #(
   localparam int unsigned TextureWordBits = hs_formats_pkg::TextureWordBits,
   localparam int unsigned TexelWordBits = hs_formats_pkg::TexelWordBits,
   localparam int unsigned CoordinatesBits = hs_formats_pkg::TextureCoordinatesWordBits,
-  localparam int unsigned TexturePlanesBits = hs_formats_pkg::TexturePlanesWordBits
+  localparam int unsigned TexturePlanesBits = hs_formats_pkg::TexturePlanesWordBits,
+  localparam int unsigned PlanesBits = hs_formats_pkg::PlanesWordBits,
+  localparam int unsigned MotionVectorsBits = hs_formats_pkg::MotionVectorsWordBits,
+  localparam int unsigned MotionPlanesBits = hs_formats_pkg::MotionPlanesWordBits,
+  localparam int unsigned MotionBits = hs_formats_pkg::MotionWordBits
 ) (
   input  logic                        clk_i,
   input  logic                        rst_ni,
@@ -87,11 +93,17 @@ module hs_pipeline #(
   input  logic                        texture_coordinates_valid_i,
   output logic                        texture_coordinates_ready_o,
   input  logic [CoordinatesBits-1:0]  texture_coordinates_i,
+  input  logic                        motion_vectors_valid_i,
+  output logic                        motion_vectors_ready_o,
+  input  logic [MotionVectorsBits-1:0] motion_vectors_i,
 
-  // To the frame
+  // To the frame, or to the motion buffer
   output logic                        pixel_valid_o,
   input  logic                        pixel_ready_i,
   output logic [PixelBits-1:0]        pixel_o,
+  output logic                        motion_valid_o,
+  input  logic                        motion_ready_i,
+  output logic [MotionBits-1:0]       motion_o,
 
   // To watch
   output logic                        setup_valid_o,
@@ -108,10 +120,13 @@ module hs_pipeline #(
   output logic [ColoursBits-1:0]      colours_o,
   output logic                        planes_valid_o,
   output logic                        planes_ready_o,
-  output hs_formats_pkg::planes_t     planes_o,
+  output logic [PlanesBits-1:0]       planes_o,
   output logic                        texture_planes_valid_o,
   output logic                        texture_planes_ready_o,
   output logic [TexturePlanesBits-1:0] texture_planes_o,
+  output logic                        motion_planes_valid_o,
+  output logic                        motion_planes_ready_o,
+  output logic [MotionPlanesBits-1:0] motion_planes_o,
   output logic                        lit_valid_o,
   output logic                        lit_ready_o,
   output logic [PixelBits-1:0]        lit_o,
@@ -135,10 +150,9 @@ module hs_pipeline #(
   // --- frames ---
   logic frames_open, start_valid, start_ready, start_clear, scan_bank, planes_bank;
   logic setup_triangle_ready;
-  logic pixel_last, stored_last;
+  logic planes_last, stored_last, pixel_last;  // words that move and end their frame
 
   assign triangle_ready_o = frames_open && setup_triangle_ready;
-  assign pixel_last = pixel_o[PixelBits-1];
 
   hs_frame_control u_frame_control (
     .clk_i          (clk_i),
@@ -148,9 +162,9 @@ module hs_pipeline #(
     .triangle_i     (triangle_valid_i && triangle_ready_o),
     .triangle_last_i(triangle_i.last),
     .visible_last_i (visible_valid_o && visible_ready_i && visible_o.last),
-    .planes_last_i  (planes_valid_o && planes_ready_o && planes_o.last),
+    .planes_last_i  (planes_last),
     .stored_last_i  (stored_last),
-    .pixel_last_i   (pixel_valid_o && pixel_ready_i && pixel_last),
+    .pixel_last_i   (pixel_last),
     .start_valid_o  (start_valid),
     .start_ready_i  (start_ready),
     .start_clear_o  (start_clear),
@@ -456,49 +470,111 @@ module hs_pipeline #(
     assign attributes_ready_o = shade_ready;
   end
 
-  hs_shading #(
-    .LanesX(LanesX),
-    .LanesY(LanesY)
-  ) u_shading (
-    .clk_i             (clk_i),
-    .rst_ni            (rst_ni),
-    .background_i      (background_i),
-    .planes_bank_i     (planes_bank),
-    .light_valid_i     (light_valid_i),
-    .light_i           (light_i),
-    .material_valid_i  (material_valid_i),
-    .material_i        (material_i),
-    .normals_valid_i   (normals_valid_i),
-    .normals_ready_o   (normals_ready_o),
-    .normals_i         (normals_i),
-    .texture_valid_i   (texture_valid_i),
-    .texture_i         (texture_i),
-    .texel_valid_i     (texel_valid_i),
-    .texel_i           (texel_i),
-    .texture_coordinates_valid_i(texture_coordinates_valid_i),
-    .texture_coordinates_ready_o(texture_coordinates_ready_o),
-    .texture_coordinates_i      (texture_coordinates_i),
-    .attributes_valid_i(shade_valid),
-    .attributes_ready_o(shade_ready),
-    .attributes_i      (shade_attributes),
-    .scan_valid_i      (scan_valid_o),
-    .scan_ready_o      (scan_ready_o),
-    .scan_i            (scan_o),
-    .pixel_valid_o     (pixel_valid_o),
-    .pixel_ready_i     (pixel_ready_i),
-    .pixel_o           (pixel_o),
-    .colours_valid_o   (colours_valid_o),
-    .colours_ready_o   (colours_ready_o),
-    .colours_o         (colours_o),
-    .planes_valid_o    (planes_valid_o),
-    .planes_ready_o    (planes_ready_o),
-    .planes_o          (planes_o),
-    .texture_planes_valid_o     (texture_planes_valid_o),
-    .texture_planes_ready_o     (texture_planes_ready_o),
-    .texture_planes_o           (texture_planes_o),
-    .lit_valid_o       (lit_valid_o),
-    .lit_ready_o       (lit_ready_o),
-    .lit_o             (lit_o),
-    .stored_last_o     (stored_last)
-  );
+  if (hs_formats_pkg::HasMotion != 0) begin : gen_motion
+    logic unused_shading;
+    assign unused_shading = ^{background_i, light_valid_i, light_i, material_valid_i, material_i, texture_valid_i, texture_i,
+                              texel_valid_i, texel_i, normals_valid_i, normals_i, texture_coordinates_valid_i,
+                              texture_coordinates_i, pixel_ready_i};
+    assign normals_ready_o = 1'b0;
+    assign texture_coordinates_ready_o = 1'b0;
+    assign pixel_valid_o = 1'b0;
+    assign pixel_o = '0;
+    assign colours_valid_o = 1'b0;
+    assign colours_ready_o = 1'b0;
+    assign colours_o = '0;
+    assign planes_valid_o = 1'b0;
+    assign planes_ready_o = 1'b0;
+    assign planes_o = '0;
+    assign texture_planes_valid_o = 1'b0;
+    assign texture_planes_ready_o = 1'b0;
+    assign texture_planes_o = '0;
+    assign lit_valid_o = 1'b0;
+    assign lit_ready_o = 1'b0;
+    assign lit_o = '0;
+
+    hs_motion #(
+      .LanesX(LanesX),
+      .LanesY(LanesY)
+    ) u_motion (
+      .clk_i                 (clk_i),
+      .rst_ni                (rst_ni),
+      .planes_bank_i         (planes_bank),
+      .motion_vectors_valid_i(motion_vectors_valid_i),
+      .motion_vectors_ready_o(motion_vectors_ready_o),
+      .motion_vectors_i      (motion_vectors_i),
+      .attributes_valid_i    (shade_valid),
+      .attributes_ready_o    (shade_ready),
+      .attributes_i          (shade_attributes),
+      .scan_valid_i          (scan_valid_o),
+      .scan_ready_o          (scan_ready_o),
+      .scan_i                (scan_o),
+      .motion_valid_o        (motion_valid_o),
+      .motion_ready_i        (motion_ready_i),
+      .motion_o              (motion_o),
+      .motion_planes_valid_o (motion_planes_valid_o),
+      .motion_planes_ready_o (motion_planes_ready_o),
+      .motion_planes_o       (motion_planes_o)
+    );
+    assign planes_last = motion_planes_valid_o && motion_planes_ready_o
+                         && motion_planes_o[MotionPlanesBits-1];
+    assign stored_last = planes_last;
+    assign pixel_last = motion_valid_o && motion_ready_i && motion_o[MotionBits-1];
+  end else begin : gen_shading
+    logic unused_motion;
+    assign unused_motion = ^{motion_vectors_valid_i, motion_vectors_i, motion_ready_i};
+    assign motion_vectors_ready_o = 1'b0;
+    assign motion_planes_valid_o = 1'b0;
+    assign motion_planes_ready_o = 1'b0;
+    assign motion_planes_o = '0;
+    assign motion_valid_o = 1'b0;
+    assign motion_o = '0;
+    assign planes_last = planes_valid_o && planes_ready_o && planes_o[PlanesBits-1];
+    assign pixel_last = pixel_valid_o && pixel_ready_i && pixel_o[PixelBits-1];
+
+    hs_shading #(
+      .LanesX(LanesX),
+      .LanesY(LanesY)
+    ) u_shading (
+      .clk_i             (clk_i),
+      .rst_ni            (rst_ni),
+      .background_i      (background_i),
+      .planes_bank_i     (planes_bank),
+      .light_valid_i     (light_valid_i),
+      .light_i           (light_i),
+      .material_valid_i  (material_valid_i),
+      .material_i        (material_i),
+      .normals_valid_i   (normals_valid_i),
+      .normals_ready_o   (normals_ready_o),
+      .normals_i         (normals_i),
+      .texture_valid_i   (texture_valid_i),
+      .texture_i         (texture_i),
+      .texel_valid_i     (texel_valid_i),
+      .texel_i           (texel_i),
+      .texture_coordinates_valid_i(texture_coordinates_valid_i),
+      .texture_coordinates_ready_o(texture_coordinates_ready_o),
+      .texture_coordinates_i      (texture_coordinates_i),
+      .attributes_valid_i(shade_valid),
+      .attributes_ready_o(shade_ready),
+      .attributes_i      (shade_attributes),
+      .scan_valid_i      (scan_valid_o),
+      .scan_ready_o      (scan_ready_o),
+      .scan_i            (scan_o),
+      .pixel_valid_o     (pixel_valid_o),
+      .pixel_ready_i     (pixel_ready_i),
+      .pixel_o           (pixel_o),
+      .colours_valid_o   (colours_valid_o),
+      .colours_ready_o   (colours_ready_o),
+      .colours_o         (colours_o),
+      .planes_valid_o    (planes_valid_o),
+      .planes_ready_o    (planes_ready_o),
+      .planes_o          (planes_o),
+      .texture_planes_valid_o     (texture_planes_valid_o),
+      .texture_planes_ready_o     (texture_planes_ready_o),
+      .texture_planes_o           (texture_planes_o),
+      .lit_valid_o       (lit_valid_o),
+      .lit_ready_o       (lit_ready_o),
+      .lit_o             (lit_o),
+      .stored_last_o     (stored_last)
+    );
+  end
 endmodule

@@ -11,8 +11,7 @@ module hs_setup_record #(
   localparam int unsigned HasDepth = hs_formats_pkg::HasDepth,
   localparam int unsigned Gouraud = hs_formats_pkg::Gouraud,
   localparam int unsigned DepthsBits = HasDepth != 0 ? 3 * hs_formats_pkg::DepthBits : 1,
-  localparam int unsigned Phong = hs_formats_pkg::Phong,
-  localparam int unsigned HasTexture = hs_formats_pkg::HasTexture,
+  localparam int unsigned SendsShape = hs_formats_pkg::SendsShape,
   localparam int unsigned ColourBits = hs_formats_pkg::TriangleColourBits,
   localparam int unsigned OrderBits = hs_formats_pkg::OrderBits,
   localparam int unsigned ShadeBits = OrderBits + ColourBits != 0 ? OrderBits + ColourBits : 1
@@ -177,7 +176,7 @@ module hs_setup_record #(
   assign attributes_o.empty = setup_q.empty;
   assign attributes_o.index = setup_q.index;
 
-  if (Gouraud != 0 || Phong != 0 || HasTexture != 0) begin : gen_shape
+  if (SendsShape != 0) begin : gen_shape
     hs_formats_pkg::coord_t x0_q, y0_q;
 
     always_ff @(posedge clk_i) begin

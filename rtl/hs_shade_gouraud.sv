@@ -9,8 +9,8 @@
 // TdbS: entry index − 1, bits as in planes_t from r on; a read takes one cycle, its word stays
 // until the next read. Two banks, used in turn by the frames, the first one by the first frame.
 module hs_shade_gouraud #(
-  parameter int unsigned LanesX = 2,
-  parameter int unsigned LanesY = 2,
+  parameter int unsigned LanesX,
+  parameter int unsigned LanesY,
   localparam int unsigned Lanes = LanesX * LanesY,
   localparam int unsigned XBits = hs_formats_pkg::XBits,
   localparam int unsigned YBits = hs_formats_pkg::YBits,
@@ -70,7 +70,7 @@ module hs_shade_gouraud #(
 
   // Stage merge: the pixel word.
   logic pixel_valid_q;
-  hs_formats_pkg::pixel_head_t pixel_head_q;
+  logic [HeadBits-1:0] pixel_head_q;
   logic [3*Lanes*ColourBits-1:0] pixel_colour_q;
 
   assign go = !pixel_valid_q || pixel_ready_i;

@@ -10,7 +10,8 @@
 module hs_shade_setup #(
   localparam int unsigned Lit = hs_formats_pkg::Lights != 0 ? 1 : 0,
   localparam int unsigned ColourBits = hs_formats_pkg::ColourBits,
-  localparam int unsigned ColoursBits = hs_formats_pkg::ColoursWordBits
+  localparam int unsigned ColoursBits = hs_formats_pkg::ColoursWordBits,
+  localparam int unsigned PlanesBits = hs_formats_pkg::PlanesWordBits
 ) (
   input  logic                        clk_i,
   input  logic                        rst_ni,
@@ -28,7 +29,7 @@ module hs_shade_setup #(
   // To TdbS
   output logic                        planes_valid_o,
   input  logic                        planes_ready_i,
-  output hs_formats_pkg::planes_t     planes_o
+  output logic [PlanesBits-1:0]       planes_o
 );
   logic valid, ready, unused_attributes;
 
@@ -113,8 +114,10 @@ module hs_shade_setup #(
       logic unused_head;
       assign unused_head = ^colours_i[ColoursBits-1:3*ColourBits];
       assign colour = attributes_i.empty ? '0 : colours_i[3*ColourBits-1:0];
-    end else begin : gen_given
+    end else if (hs_formats_pkg::TriangleColourBits != 0) begin : gen_given
       assign colour = {attributes_i.r, attributes_i.g, attributes_i.b};
+    end else begin : gen_nothing  // of a configuration without this unit
+      assign colour = '0;
     end
     assign ready = planes_ready_i;
     assign planes_valid_o = valid;

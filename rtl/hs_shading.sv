@@ -15,8 +15,8 @@
 // order. Planes never wait. Stall: as its units. Lights, materials, textures and texels are written
 // while no frame is in flight.
 module hs_shading #(
-  parameter int unsigned LanesX = 2,
-  parameter int unsigned LanesY = 2,
+  parameter int unsigned LanesX,
+  parameter int unsigned LanesY,
   parameter int unsigned AttributesFifoDepth = 4,
   parameter int unsigned ColoursFifoDepth = 4,
   // With texture all that shade_texture takes before it looks at `lit`.
@@ -33,6 +33,7 @@ module hs_shading #(
   localparam int unsigned MaterialWordBits = hs_formats_pkg::MaterialWordBits,
   localparam int unsigned NormalsBits = hs_formats_pkg::NormalsWordBits,
   localparam int unsigned ColoursBits = hs_formats_pkg::ColoursWordBits,
+  localparam int unsigned ShadePlanesBits = hs_formats_pkg::PlanesWordBits,
   localparam int unsigned TextureWordBits = hs_formats_pkg::TextureWordBits,
   localparam int unsigned TexelWordBits = hs_formats_pkg::TexelWordBits,
   localparam int unsigned CoordinatesBits = hs_formats_pkg::TextureCoordinatesWordBits,
@@ -81,7 +82,7 @@ module hs_shading #(
   output logic [ColoursBits-1:0]      colours_o,
   output logic                        planes_valid_o,
   output logic                        planes_ready_o,
-  output hs_formats_pkg::planes_t     planes_o,
+  output logic [ShadePlanesBits-1:0]  planes_o,
   output logic                        texture_planes_valid_o,
   output logic                        texture_planes_ready_o,
   output logic [TexturePlanesBits-1:0] texture_planes_o,
@@ -95,7 +96,7 @@ module hs_shading #(
   localparam int unsigned Phong = hs_formats_pkg::Phong;
   localparam int unsigned HasTexture = hs_formats_pkg::HasTexture;
   localparam int unsigned EntryBits = $clog2(hs_formats_pkg::Triangles);
-  localparam int unsigned PlanesBits = $bits(planes_o) - 2 - IndexBits;
+  localparam int unsigned PlanesBits = ShadePlanesBits - 2 - IndexBits;
 
   // --- attributes ─► planes ---
   logic both_valid, both_ready, setup_valid, setup_ready;
@@ -199,11 +200,15 @@ module hs_shading #(
 
   // --- TdbS ---
   logic read_en, read_bank;
+  logic planes_last, planes_empty, unused_planes_index;
   logic [EntryBits-1:0] read_entry, store_entry;
+  logic [IndexBits-1:0] planes_index;
   logic [PlanesBits-1:0] read_planes;
 
   assign planes_ready_o = 1'b1;
-  assign store_entry = EntryBits'(planes_o.index) - EntryBits'(1);
+  assign {planes_last, planes_empty, planes_index} = planes_o[ShadePlanesBits-1 -: 2+IndexBits];
+  assign store_entry = EntryBits'(planes_index) - EntryBits'(1);
+  assign unused_planes_index = ^planes_index;  // a power of two of entries has a bit less
 
   hs_ram_1r1w #(
     .Width(PlanesBits),
@@ -213,7 +218,7 @@ module hs_shading #(
     .read_en_i      (read_en),
     .read_address_i ({read_bank, read_entry}),
     .read_data_o    (read_planes),
-    .write_en_i     (planes_valid_o && !planes_o.empty),
+    .write_en_i     (planes_valid_o && !planes_empty),
     .write_address_i({planes_bank_i, store_entry}),
     .write_data_i   (planes_o[PlanesBits-1:0])
   );
@@ -285,7 +290,7 @@ module hs_shading #(
   if (HasTexture != 0) begin : gen_texture
     localparam int unsigned EntryPlanesBits = TexturePlanesBits - 2 - IndexBits;
     logic coordinates_valid, coordinates_ready, texture_scan_valid, texture_scan_ready;
-    logic queued_scan_valid, queued_scan_ready, planes_last, texture_last, texture_bank_q;
+    logic queued_scan_valid, queued_scan_ready, frame_planes, texture_last, texture_bank_q;
     logic read_texture_en, read_texture_bank, store_empty, unused_index;
     logic [1:0] planes_ahead_q, texture_ahead_q;  // frames that one is stored of and the other not
     logic [EntryBits-1:0] read_texture_entry, store_texture_entry;
@@ -339,10 +344,10 @@ module hs_shading #(
     );
 
     // A frame is stored when both setups have come to its end.
-    assign planes_last = planes_valid_o && planes_o.last;
-    assign stored_last_o = (planes_last && texture_ahead_q != 2'd0)
+    assign frame_planes = planes_valid_o && planes_last;
+    assign stored_last_o = (frame_planes && texture_ahead_q != 2'd0)
                            || (texture_planes_valid_o && texture_last && planes_ahead_q != 2'd0)
-                           || (planes_last && texture_planes_valid_o && texture_last);
+                           || (frame_planes && texture_planes_valid_o && texture_last);
 
     always_ff @(posedge clk_i or negedge rst_ni) begin
       if (!rst_ni) begin
@@ -351,7 +356,7 @@ module hs_shading #(
         texture_ahead_q <= 2'd0;
       end else begin
         if (texture_planes_valid_o && texture_last) texture_bank_q <= !texture_bank_q;
-        planes_ahead_q <= planes_ahead_q + 2'(planes_last) - 2'(stored_last_o);
+        planes_ahead_q <= planes_ahead_q + 2'(frame_planes) - 2'(stored_last_o);
         texture_ahead_q <= texture_ahead_q + 2'(texture_planes_valid_o && texture_last)
                            - 2'(stored_last_o);
       end
@@ -427,6 +432,6 @@ module hs_shading #(
     assign lit_valid_o = 1'b0;
     assign lit_ready_o = 1'b0;
     assign lit_o = '0;
-    assign stored_last_o = planes_valid_o && planes_o.last;
+    assign stored_last_o = planes_valid_o && planes_last;
   end
 endmodule

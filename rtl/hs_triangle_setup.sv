@@ -39,10 +39,8 @@ module hs_triangle_setup #(
   output hs_formats_pkg::attributes_t attributes_o
 );
   localparam int unsigned HasDepth = hs_formats_pkg::HasDepth;
-  localparam int unsigned Gouraud = hs_formats_pkg::Gouraud;
   localparam int unsigned DepthsBits = HasDepth != 0 ? 3 * hs_formats_pkg::DepthBits : 1;
-  localparam int unsigned Phong = hs_formats_pkg::Phong;
-  localparam int unsigned HasTexture = hs_formats_pkg::HasTexture;
+  localparam int unsigned SendsShape = hs_formats_pkg::SendsShape;
   localparam int unsigned ColourBits = hs_formats_pkg::TriangleColourBits;
   localparam int unsigned OrderBits = hs_formats_pkg::OrderBits;
   localparam int unsigned ShadeBits = OrderBits + ColourBits != 0 ? OrderBits + ColourBits : 1;
@@ -86,7 +84,7 @@ module hs_triangle_setup #(
     .shade_o         (shade)
   );
 
-  if (HasDepth != 0 || Gouraud != 0 || Phong != 0 || HasTexture != 0) begin : gen_planes
+  if (HasDepth != 0 || SendsShape != 0) begin : gen_planes
     hs_setup_record #(
       .Fraction(hs_formats_pkg::ReciprocalFraction)
     ) u_setup_record (

@@ -165,6 +165,8 @@ std::string formats_package(const Configuration& configuration) {
   // Of a triangle as it comes: its colours; and of its attributes, where values of its vertices come later, their order.
   const int triangle_colours = !has_colours(c) ? 0 : (gouraud ? 9 : 3) * t.colour.width;
   const int order = orders_vertices(c) ? VertexNumber::width() + Bit::width() : 0;
+  // Any number of lanes would do: nothing printed depends on it.
+  const std::vector<Layout> layouts = make_engine(configuration, 2)->layouts();
   const std::vector<std::pair<const char*, int>> constants = {
       {"HasDepth", depth},
       {"StoresDepth", stores_depth(c)},
@@ -195,7 +197,8 @@ std::string formats_package(const Configuration& configuration) {
       {"TriangleColourBits", triangle_colours},
       {"OrderBits", order},
       {"ColourFraction", c.colour_fraction},
-      {"ColourPlaneBits", t.colour_plane.width}};  // flat: the colour's
+      {"ColourPlaneBits", t.colour_plane.width},  // flat: the colour's
+      {"PlanesWordBits", word_bits(layouts, "planes")}};
   struct Type {
     const char* name;
     NumberFormat format;
@@ -223,8 +226,6 @@ std::string formats_package(const Configuration& configuration) {
       "// and hls/records.hpp: change those, not this file.\n"
       "package hs_formats_pkg;\n\n",
       configuration.name());
-  // Any number of lanes would do: nothing printed depends on it.
-  const std::vector<Layout> layouts = make_engine(configuration, 2)->layouts();
   text += constants_text(constants) + lighting_text(c, layouts) + texture_text(c, layouts) + motion_text(c, layouts) + "\n";
   for (const Type& type : types) {
     if (type.is_there) text += fmt::format("  typedef {}{}_t;\n", range(type.format.width, type.format.is_signed), type.name);
