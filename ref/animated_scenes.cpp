@@ -6,6 +6,7 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "ref/box_texture.hpp"
 #include "ref/builtin_scenes.hpp"
 
 namespace halfspace::ref {
@@ -101,12 +102,13 @@ std::vector<std::string> animated_scene_names() {
   return names;
 }
 
-std::optional<Scene> animated_scene(const std::string& name, double time_seconds) {
+std::optional<Scene> animated_scene(const std::string& name, double time_seconds, bool textured) {
   for (const auto& known : kAnimations) {
     if (name != known.name) continue;
     Scene scene = known.at(std::clamp(time_seconds, 0.0, known.duration));
     scene.name = name;
     scene.duration = known.duration;
+    if (textured) add_box_texture(scene);
     return scene;
   }
   return std::nullopt;

@@ -11,8 +11,8 @@
 
 namespace halfspace::ref {
 
-// Held at its ends outside its duration, as animations of files are.
-std::optional<Scene> animated_scene(const std::string& name, double time_seconds);
+// Held at its ends outside its duration, as animations of files are. If `textured`, with bricks on all of it.
+std::optional<Scene> animated_scene(const std::string& name, double time_seconds, bool textured = false);
 
 Scene drone(double seconds);  // four shrouded rotors around a ball
 Scene jet(double seconds);    // wings that sweep back, fins, nozzles, missiles

@@ -94,8 +94,7 @@ glm::dvec3 Geometry::colour(std::size_t k) {
   return colour;
 }
 
-std::array<glm::dvec3, 3> Geometry::colours(std::size_t k) {
-  const Origin& origin = origins_[k];
+std::array<glm::dvec3, 3> Geometry::colours(const Origin& origin) {
   std::array<glm::dvec3, 3> of_corner, colours;
   for (int i = 0; i < 3; ++i) of_corner[i] = corner_colour(origin, origin.corner[i]);
   for (int v = 0; v < 3; ++v) {

@@ -39,7 +39,9 @@ class Geometry {
   const Viewpoint& viewpoint() const { return viewpoint_; }
 
   // Of the vertices of triangle `k` (from 0 on), 0-255. A corner is lit once, however many triangles share it.
-  std::array<glm::dvec3, 3> colours(std::size_t k);
+  std::array<glm::dvec3, 3> colours(std::size_t k) { return colours(origins_[k]); }
+  // Of points of a face, whether or not a triangle of this frame shows them.
+  std::array<glm::dvec3, 3> colours(const Origin&);
   // The one of vertex 0.
   glm::dvec3 colour(std::size_t k);
   std::uint64_t lit_corners() const { return lit_corners_; }

@@ -10,7 +10,8 @@ namespace {
 constexpr std::array<double, 3> kLuma{0.299, 0.587, 0.114};
 
 // Adds the squared differences of a pixel.
-void add_squares(const std::array<std::uint8_t, 4>& a, const std::array<std::uint8_t, 4>& b, std::array<double, 3>& sum) {
+void add_squares(const std::array<std::uint8_t, 4>& a, const std::array<std::uint8_t, 4>& b,
+                 std::array<double, 3>& sum) {
   for (int c = 0; c < 3; ++c) sum[c] += (int(a[c]) - b[c]) * (int(a[c]) - b[c]);
 }
 
@@ -42,7 +43,7 @@ std::vector<double> window(int size) {
 
 // Weighted mean of a(i)·b(i) at each place where the window lies in the picture.
 Values windowed(const Values& a, const Values& b, int width, int height, const std::vector<double>& across,
-               const std::vector<double>& down) {
+                const std::vector<double>& down) {
   const int columns = width - int(across.size()) + 1, rows = height - int(down.size()) + 1;
   Values lines(std::size_t(columns) * height, 0), out(std::size_t(columns) * rows, 0);
   for (int y = 0; y < height; ++y) {
@@ -85,7 +86,8 @@ double ssim(const Colours& picture, const Colours& reference, int width, int hei
   const std::vector<double> across = window(std::min(kWindow, width)), down = window(std::min(kWindow, height));
   const Values a = luma(picture), b = luma(reference), one(a.size(), 1);
   const auto moment = [&](const Values& p, const Values& q) { return windowed(p, q, width, height, across, down); };
-  const Values mean_a = moment(a, one), mean_b = moment(b, one), aa = moment(a, a), bb = moment(b, b), ab = moment(a, b);
+  const Values mean_a = moment(a, one), mean_b = moment(b, one), aa = moment(a, a), bb = moment(b, b),
+               ab = moment(a, b);
   double sum = 0;
   for (std::size_t i = 0; i < aa.size(); ++i) {
     const double mu = mean_a[i] * mean_b[i], squares = mean_a[i] * mean_a[i] + mean_b[i] * mean_b[i];

@@ -24,12 +24,12 @@ double psnr_y(const std::array<double, 3>& mean_square_error);
 enum class BlockClass { kVeryBad, kBad, kFair, kGood, kVeryGood };
 constexpr int kBlockClasses = 5;
 constexpr double kBlockBorders[kBlockClasses - 1] = {20, 25, 30, 40};
-constexpr int kBlock = 4;  // pixels each way; what is left at the right and at the bottom is a smaller one
+constexpr int kBlock = 4;         // pixels each way; what is left at the right and at the bottom is a smaller one
 const char* name_of(BlockClass);  // "very bad", …
 
 // Of one frame, or a mean over frames.
 struct Quality {
-  std::array<double, 3> psnr{};                // R, G, B
+  std::array<double, 3> psnr{};  // R, G, B
   double psnr_y = 0;
   double ssim = 0;                             // of Y
   std::array<double, kBlockClasses> blocks{};  // shares, which sum to 1

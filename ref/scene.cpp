@@ -51,7 +51,7 @@ void check(const Scene& scene) {
 
 Scene load_scene(const std::string& name_or_path, double time_seconds, bool textured) {
   std::optional<Scene> scene = builtin_scene(name_or_path);
-  if (!scene) scene = animated_scene(name_or_path, time_seconds);
+  if (!scene) scene = animated_scene(name_or_path, time_seconds, textured);
   if (!scene) scene = read_scene_file(name_or_path, time_seconds, textured);
   check(*scene);
   return std::move(*scene);

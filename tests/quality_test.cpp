@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The measures of quality against numbers worked out by hand.
+#include "ref/quality.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
-
-#include "ref/quality.hpp"
 
 namespace halfspace::ref {
 namespace {
@@ -22,8 +22,7 @@ TEST(Psnr, OfAStepEverywhere) {
   EXPECT_NEAR(q.psnr[1], of_one, 1e-12);
   EXPECT_NEAR(q.psnr_y, 0.413 * kMostDecibels + 0.587 * of_one, 1e-12);
   for (auto& p : off) p[0] = 90, p[2] = 103;  // 100 and 9
-  EXPECT_NEAR(quality(off, grey(16, 8, 100), 16, 8).psnr_y,
-              of_one - 0.299 * 20 - 0.114 * 10 * std::log10(9.0), 1e-12);
+  EXPECT_NEAR(quality(off, grey(16, 8, 100), 16, 8).psnr_y, of_one - 0.299 * 20 - 0.114 * 10 * std::log10(9.0), 1e-12);
 }
 
 TEST(Psnr, IsCapped) {
@@ -37,7 +36,8 @@ TEST(Blocks, AreClassedByTheirOwnPsnr) {
   Colours picture = grey(10, 6, 0);
   const auto fill = [&](int left, int top, int right, int bottom, int level) {
     for (int y = top; y < bottom; ++y) {
-      for (int x = left; x < right; ++x) picture[std::size_t(y) * 10 + x] = {std::uint8_t(level), std::uint8_t(level), std::uint8_t(level), 255};
+      for (int x = left; x < right; ++x)
+        picture[std::size_t(y) * 10 + x] = {std::uint8_t(level), std::uint8_t(level), std::uint8_t(level), 255};
     }
   };
   fill(0, 0, 4, 4, 26);   // 255/26: 19.83 dB
@@ -55,7 +55,8 @@ TEST(Blocks, AreClassedByTheirOwnPsnr) {
 
 TEST(Ssim, OfFlatPicturesIsThatOfTheirMeans) {
   const double c1 = 0.01 * 255 * 0.01 * 255;
-  EXPECT_NEAR(ssim(grey(20, 20, 50), grey(20, 20, 100), 20, 20), (2 * 50 * 100 + c1) / (50 * 50 + 100 * 100 + c1), 1e-9);
+  EXPECT_NEAR(ssim(grey(20, 20, 50), grey(20, 20, 100), 20, 20), (2 * 50 * 100 + c1) / (50 * 50 + 100 * 100 + c1),
+              1e-9);
   EXPECT_NEAR(ssim(grey(4, 30, 50), grey(4, 30, 50), 4, 30), 1, 1e-12);
 }
 

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ref/compensate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace halfspace::ref {
+namespace {
+
+// Less weight is what rounding leaves of none: a tap without weight does not match.
+constexpr double kNoWeight = 1e-9;
+
+// Pixels of a key as one place sees them.
+class Taps {
+ public:
+  Taps(const KeyFrame& key, std::uint32_t identity, bool test) : key_(key), identity_(identity), test_(test) {}
+
+  bool matches(int x, int y) const {
+    if (x < 0 || y < 0 || x >= key_.width || y >= key_.height) return false;
+    return !test_ || key_.identity[at(x, y)] == identity_;
+  }
+  glm::dvec3 colour(int x, int y) const {
+    const auto& colour = key_.colour[at(x, y)];
+    return {colour[0], colour[1], colour[2]};
+  }
+
+ private:
+  std::size_t at(int x, int y) const { return std::size_t(y) * key_.width + x; }
+
+  const KeyFrame& key_;
+  const std::uint32_t identity_;
+  const bool test_;
+};
+
+std::optional<glm::dvec3> bicubic(const Taps& taps, int x, int y, double tx, double ty) {
+  const auto across = cubic_weights(tx), down = cubic_weights(ty);
+  glm::dvec3 sum(0);
+  for (int j = 0; j < 4; ++j) {
+    for (int i = 0; i < 4; ++i) {
+      if (!taps.matches(x - 1 + i, y - 1 + j)) return std::nullopt;
+      sum += across[i] * down[j] * taps.colour(x - 1 + i, y - 1 + j);
+    }
+  }
+  return sum;
+}
+
+// The weight of taps that do not match goes to the first one that does, in the order of weights: the nearest, its
+// neighbour along the axis whose fraction is nearer to ½, the other neighbour, the one across.
+std::optional<glm::dvec3> of_four(const Taps& taps, int x, int y, double tx, double ty, const CompensationMode& mode) {
+  const int i = tx >= 0.5, j = ty >= 0.5;
+  const bool x_first = std::abs(tx - 0.5) <= std::abs(ty - 0.5);
+  const int along_x[2] = {1 - i, j}, along_y[2] = {i, 1 - j};
+  const int(&second)[2] = x_first ? along_x : along_y, (&third)[2] = x_first ? along_y : along_x;
+  const int order[4][2] = {{i, j}, {second[0], second[1]}, {third[0], third[1]}, {1 - i, 1 - j}};
+  const auto across = axis_weights(mode.filter, tx), down = axis_weights(mode.filter, ty);
+  glm::dvec3 sum(0);
+  std::optional<glm::dvec3> first;
+  double matched = 0;
+  for (const auto& tap : order) {
+    if (!taps.matches(x + tap[0], y + tap[1])) continue;
+    const double weight = across[tap[0]] * down[tap[1]];
+    const glm::dvec3 colour = taps.colour(x + tap[0], y + tap[1]);
+    if (!first) first = colour;
+    sum += weight * colour;
+    matched += weight;
+  }
+  if (matched < std::max(kNoWeight, mode.least_weight - kNoWeight)) return std::nullopt;
+  return sum + (1 - matched) * *first;
+}
+
+}  // namespace
+
+const char* name_of(Filter filter) {
+  constexpr const char* kNames[] = {"nearest", "bilinear", "area", "bicubic"};
+  return kNames[int(filter)];
+}
+
+std::array<double, 2> axis_weights(Filter filter, double t) {
+  if (filter != Filter::kArea) return {1 - t, t};
+  const double near = (1 - t) * (1 - t), far = t * t;
+  return {near / (near + far), far / (near + far)};
+}
+
+std::array<double, 4> cubic_weights(double t) {
+  const double t2 = t * t, t3 = t2 * t;
+  return {(-t3 + 2 * t2 - t) / 2, (3 * t3 - 5 * t2 + 2) / 2, (-3 * t3 + 4 * t2 + t) / 2, (t3 - t2) / 2};
+}
+
+std::optional<glm::dvec3> fetch(const KeyFrame& key, const glm::dvec2& place, std::uint32_t identity,
+                                const CompensationMode& mode) {
+  // Beyond it no tap is in the frame, and the place may be beyond any integer.
+  if (!(place.x > -1 && place.y > -1 && place.x < key.width + 1 && place.y < key.height + 1)) return std::nullopt;
+  const Taps taps(key, identity, mode.index_test);
+  if (mode.filter == Filter::kNearest) {
+    const int x = int(std::floor(place.x)), y = int(std::floor(place.y));
+    if (!taps.matches(x, y)) return std::nullopt;
+    return taps.colour(x, y);
+  }
+  const int x = int(std::floor(place.x - 0.5)), y = int(std::floor(place.y - 0.5));
+  const double tx = place.x - 0.5 - x, ty = place.y - 0.5 - y;
+  if (mode.filter == Filter::kBicubic) {
+    if (const auto colour = bicubic(taps, x, y, tx, ty)) return colour;
+  }
+  return of_four(taps, x, y, tx, ty, mode);
+}
+
+Compensated compensate(const OfKeys<KeyFrame>& keys, const MotionField& field, const Identities& identities, double a,
+                       const CompensationMode& mode, const LightPlanes& light, const Colours& rendered) {
+  const int samples = field.width / keys[0].width;
+  const OfKeys<double> time{1 - a, a};
+  Compensated out{rendered, std::vector<std::uint8_t>(field.face.size(), 0), {}};
+  for (std::size_t at = 0; at < field.face.size(); ++at) {
+    if (field.face[at] == 0) {
+      ++out.shares.background;
+      continue;
+    }
+    const glm::dvec2 centre(at % field.width + 0.5, at / field.width + 0.5);
+    OfKeys<glm::dvec3> colour;
+    for (int key = 0; key < kKeys; ++key) {
+      const auto& vector = field.to_key[key][at];
+      if (!vector || !mode.use[key]) continue;
+      const glm::dvec2 place = (centre + *vector) / double(samples);
+      const auto fetched = fetch(keys[key], place, identities[field.face[at]], mode);
+      if (!fetched) continue;
+      out.keys[at] |= std::uint8_t(1 << key);
+      colour[key] = *fetched;
+      if (!light[key].empty()) colour[key] += light[key][at];
+    }
+    if (out.keys[at] == 0) {
+      ++out.shares.filled;
+      continue;
+    }
+    ++(out.keys[at] == 3 ? out.shares.blended : out.shares.copied);
+    const glm::dvec3 sum = out.keys[at] == 3 ? time[0] * colour[0] + time[1] * colour[1] : colour[out.keys[at] - 1];
+    for (int c = 0; c < 3; ++c) out.colour[at][c] = std::uint8_t(std::floor(std::clamp(sum[c], 0.0, 255.0) + 0.5));
+  }
+  return out;
+}
+
+}  // namespace halfspace::ref

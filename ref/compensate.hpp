@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// Motion compensation: the pixels of a frame between two keys, fetched from the keys along the motion field.
+#ifndef HALFSPACE_REF_COMPENSATE_HPP_
+#define HALFSPACE_REF_COMPENSATE_HPP_
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <vector>
+
+#include "ref/motion_field.hpp"
+#include "ref/quality.hpp"
+
+namespace halfspace::ref {
+
+enum class Filter { kNearest, kBilinear, kArea, kBicubic };
+constexpr Filter kFilters[] = {Filter::kNearest, Filter::kBilinear, Filter::kArea, Filter::kBicubic};
+const char* name_of(Filter);  // "nearest", …
+
+// width · height pixels, row 0 on top.
+struct KeyFrame {
+  int width, height;
+  Colours colour;
+  std::vector<std::uint32_t> identity;  // of what the pixel shows; 0 matches nothing
+};
+
+// What a tap is the same surface by: the identity of each face of the scene at its number; 0 at 0.
+using Identities = std::vector<std::uint32_t>;
+
+// What counts for a tap along one axis: 2 of them, bicubic 4. The fraction t is that of the place beyond the centre of
+// the pixel before it. Sums to 1.
+//   bilinear 1 − t, t: the areas that a footprint of one pixel has in common with both;
+//   area     these over the distance, t and 1 − t, and scaled to 1: (1 − t)², t² over their sum;
+//   bicubic  Catmull-Rom, of which the outer two are not positive.
+std::array<double, 2> axis_weights(Filter, double t);
+std::array<double, 4> cubic_weights(double t);
+
+struct CompensationMode {
+  Filter filter = Filter::kBilinear;
+  bool index_test = true;        // else each tap in the frame matches
+  OfKeys<bool> use{true, true};  // a key that is not used shows nothing
+  double least_weight = 0;       // of the taps that match together, for the key to show the point
+};
+
+// The colour of a key at a place in pixels, 0-255, as `identity` has it; none if the key does not show it.
+// docs/frames.md has the rules.
+std::optional<glm::dvec3> fetch(const KeyFrame&, const glm::dvec2& place, std::uint32_t identity,
+                                const CompensationMode&);
+
+// What is added to what a key shows, for each pixel of the field; empty: nothing.
+using LightPlanes = OfKeys<std::vector<glm::dvec3>>;
+
+struct Shares {  // pixels
+  std::uint64_t background = 0, blended = 0, copied = 0, filled = 0;
+};
+
+struct Compensated {
+  Colours colour;
+  std::vector<std::uint8_t> keys;  // bit k: key k has a part in the pixel
+  Shares shares;
+};
+
+// Pixels of the field, of which a key pixel has 1, 2 or 4 each way. `a` is how far the frame is from the first key to
+// the second. A pixel that no key shows is taken from `rendered`, the frame between as it is rendered; so is the
+// background.
+Compensated compensate(const OfKeys<KeyFrame>&, const MotionField&, const Identities&, double a,
+                       const CompensationMode&, const LightPlanes&, const Colours& rendered);
+
+}  // namespace halfspace::ref
+
+#endif  // HALFSPACE_REF_COMPENSATE_HPP_

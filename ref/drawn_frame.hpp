@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Frames as the reference draws them, and key frames made of them.
+#ifndef HALFSPACE_REF_DRAWN_FRAME_HPP_
+#define HALFSPACE_REF_DRAWN_FRAME_HPP_
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "ref/compensate.hpp"
+#include "ref/surface.hpp"
+
+namespace halfspace::ref {
+
+struct Look {
+  RasterFormat format;
+  ShadingMode shading = ShadingMode::kGouraud;
+  std::optional<TextureMode> texture = std::nullopt;  // the scene was loaded with its textures
+};
+
+struct DrawnFrame {
+  int width, height;
+  Colours colour;
+  std::vector<std::uint32_t> face;  // of the scene; 0: background
+};
+
+// Of the geometry's own view.
+DrawnFrame draw_frame(Geometry&, const Look&);
+
+// A pixel for samples x samples: their mean, rounded half up.
+Colours averaged(const Colours&, int width, int height, int samples);
+
+// A pixel for samples x samples; one that shows more than one identity has 0.
+KeyFrame key_frame(const DrawnFrame&, int samples, const Identities&);
+
+// The number of the face itself.
+Identities face_identities(const Scene&);
+// A group of faces of one instance that are smooth together: from one to the next by vertices of the same place and
+// normal. Numbered from 1 on, in the order of their first faces.
+Identities surface_identities(const Scene&);
+
+}  // namespace halfspace::ref
+
+#endif  // HALFSPACE_REF_DRAWN_FRAME_HPP_

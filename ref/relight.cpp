@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ref/relight.hpp"
+
+#include "ref/plane.hpp"
+
+namespace halfspace::ref {
+namespace {
+
+// 0-1.
+glm::dvec3 mean(const Texture& texture) {
+  glm::dvec3 sum(0);
+  for (const auto& texel : texture.texels) sum += glm::dvec3(texel[0], texel[1], texel[2]);
+  return sum / (255.0 * double(texture.texels.size()));
+}
+
+}  // namespace
+
+LightChange light_change(Geometry& between, Geometry& key, int colour_bits, bool textured) {
+  std::vector<glm::dvec3> means;
+  for (const Texture& texture : between.scene().textures) means.push_back(mean(texture));
+  const auto rounded = [&](double colour) {
+    return double(displayed_colour(snapped_colour(colour, colour_bits), colour_bits));
+  };
+  LightChange change;
+  for (std::size_t k = 0; k < between.origins().size(); ++k) {
+    const auto here = between.colours(k), there = key.colours(between.origins()[k]);
+    const int texture = textured ? between.texture(k) : -1;
+    auto& of_vertex = change.emplace_back();
+    for (int v = 0; v < 3; ++v) {
+      for (int c = 0; c < 3; ++c) of_vertex[v][c] = rounded(here[v][c]) - rounded(there[v][c]);
+      if (texture >= 0) of_vertex[v] *= means[texture];
+    }
+  }
+  return change;
+}
+
+LightPlanes light_planes(const Between& between, const MotionField& field, const RasterFormat& format,
+                         const OfKeys<LightChange>& change) {
+  const SnappedList list = snap(between.list, format);
+  LightPlanes out;
+  for (auto& of_key : out) of_key.resize(field.face.size());
+  for (std::size_t at = 0; at < field.face.size(); ++at) {
+    const std::uint32_t k = field.triangle[at];
+    if (k == 0) continue;
+    const OrderedTriangle t(list.triangles[k - 1]);
+    const auto weights = vertex_weights(t, pixel_centre(std::int64_t(at % field.width), format.subpixel_bits),
+                                        pixel_centre(std::int64_t(at / field.width), format.subpixel_bits));
+    for (int key = 0; key < kKeys; ++key) {
+      for (int v = 0; v < 3; ++v) out[key][at] += weights[v] * change[key][k - 1][v];
+    }
+  }
+  return out;
+}
+
+}  // namespace halfspace::ref
