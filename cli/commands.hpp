@@ -25,6 +25,8 @@ void add_report(CLI::App& app, int& status);
 void add_repro(CLI::App& app, int& status);
 void add_stability(CLI::App& app, int& status);
 void add_sweep(CLI::App& app, int& status);
+void add_frames(CLI::App& app, int& status);
+void add_quality(CLI::App& app, int& status);
 
 using Json = nlohmann::ordered_json;
 

@@ -114,6 +114,8 @@ int main(int argc, char** argv) {
   halfspace::cli::add_repro(app, status);
   halfspace::cli::add_stability(app, status);
   halfspace::cli::add_sweep(app, status);
+  halfspace::cli::add_frames(app, status);
+  halfspace::cli::add_quality(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

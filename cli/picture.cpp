@@ -59,11 +59,11 @@ Picture depth_picture(const ref::Frame& frame) {
   return picture;
 }
 
-Picture difference_picture(const ref::Frame& a, const ref::Frame& b, int gain) {
-  Picture picture = blank(a);
-  for (std::size_t n = 0; n < a.colour.size(); ++n) {
+Picture difference_picture(const Picture& a, const Picture& b, int gain) {
+  Picture picture = a;
+  for (std::size_t n = 0; n < a.pixels.size(); ++n) {
     for (int c = 0; c < 3; ++c) {
-      picture.pixels[n][c] = std::uint8_t(std::clamp(128 + gain * (int(a.colour[n][c]) - b.colour[n][c]), 0, 255));
+      picture.pixels[n][c] = std::uint8_t(std::clamp(128 + gain * (int(a.pixels[n][c]) - b.pixels[n][c]), 0, 255));
     }
   }
   return picture;

@@ -23,7 +23,7 @@ Picture index_picture(const ref::Frame& frame);
 // Near is light, far is dark, stretched over the depths that are there; the background is blue.
 Picture depth_picture(const ref::Frame& frame);
 // 128 + gain·(a − b), clamped: grey where they are equal.
-Picture difference_picture(const ref::Frame& a, const ref::Frame& b, int gain);
+Picture difference_picture(const Picture& a, const Picture& b, int gain);
 
 // The format follows from the ending. Whole or not at all; throws ref::Error.
 void write_picture(const std::string& path, const Picture& picture);

@@ -152,7 +152,7 @@ int report(const Options& options) {
   picture("index.png", index_picture(kernels));
   const bool has_depth = scene.format.depth_bits != 0;
   if (has_depth) picture("depth.png", depth_picture(kernels));
-  picture(fmt::format("difference_x{}.png", kGain).c_str(), difference_picture(reference, kernels, kGain));
+  picture(fmt::format("difference_x{}.png", kGain).c_str(), difference_picture(colour_picture(reference), colour_picture(kernels), kGain));
 
   const Json rows = print_table(cosim, units, a, loaded.configuration.config());
   write_json(options.json, {{"scene", options.input.scene},

@@ -131,8 +131,7 @@ std::array<glm::dvec2, 3> Geometry::texture_coordinates(std::size_t k) const {
   return coordinates;
 }
 
-TriangleList project(const Scene& scene, const View& view) {
-  Geometry geometry(scene, view);
+TriangleList lit_triangles(Geometry& geometry) {
   TriangleList list = geometry.positions();
   for (std::size_t k = 0; k < list.triangles.size(); ++k) {
     const auto colours = geometry.colours(k);
@@ -142,6 +141,11 @@ TriangleList project(const Scene& scene, const View& view) {
     }
   }
   return list;
+}
+
+TriangleList project(const Scene& scene, const View& view) {
+  Geometry geometry(scene, view);
+  return lit_triangles(geometry);
 }
 
 }  // namespace halfspace::ref

@@ -75,7 +75,8 @@ class Geometry {
   std::uint64_t lit_corners_ = 0;
 };
 
-// All of it at once.
+// The positions, with the colours of all vertices; and all of it at once.
+TriangleList lit_triangles(Geometry&);
 TriangleList project(const Scene&, const View&);
 
 }  // namespace halfspace::ref

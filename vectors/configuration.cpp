@@ -104,6 +104,11 @@ const ChoiceField& choice_field(const std::string& name) {
   throw std::logic_error("there is no choice " + name);
 }
 
+void set_choice(Config& c, const std::string& field, const std::string& value) {
+  const ChoiceField& choice = choice_field(field);
+  choice.set(c, int(std::find(choice.values.begin(), choice.values.end(), value) - choice.values.begin()));
+}
+
 const char* choice_name(const std::string& field, const Config& c) {
   const ChoiceField& choice = choice_field(field);
   return choice.values[choice.get(c)];

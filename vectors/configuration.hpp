@@ -34,6 +34,8 @@ struct ChoiceField {
 };
 const std::vector<ChoiceField>& choice_fields();
 const ChoiceField& choice_field(const std::string& name);
+// To the value of that name, which there is.
+void set_choice(Config&, const std::string& field, const std::string& value);
 // The value of such a field.
 const char* choice_name(const std::string& field, const Config&);
 

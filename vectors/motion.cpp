@@ -38,8 +38,9 @@ RawKeyPlaces quantized_places(const std::array<glm::dvec2, 3>& place, const std:
   return out;
 }
 
-MotionFrame motion_frame(const ref::Between& between, const Config& config, const std::vector<ColoursInTime>& colours) {
-  if (!colours.empty() && colours.size() != between.traces.size()) {
+MotionFrame motion_frame(const ref::Between& between, const Config& config, const ref::OfKeys<ref::LightChange>& change) {
+  for (const ref::LightChange& of_key : change) {
+    if (of_key.empty() || of_key.size() == between.traces.size()) continue;
     throw ref::Error("the colours of a frame in between are not those of its triangles: give as many as it has triangles");
   }
   MotionFrame frame;
@@ -64,8 +65,9 @@ MotionFrame motion_frame(const ref::Between& between, const Config& config, cons
       if (!relights(config)) continue;
       for (int c = 0; c < 3; ++c) {
         for (int v = 0; v < 3; ++v) {
-          const int difference = colours.empty() ? 0 : int(colours[k].between[v][c]) - int(colours[k].at_key[key][v][c]);
-          out.key[key].difference[c][v] = difference + (1 << config.colour_bits);
+          const double full = double((1 << config.colour_bits) - 1);
+          const double difference = change[key].empty() ? 0 : change[key][k][v][c] * full / 255;
+          out.key[key].difference[c][v] = int(std::floor(difference + 0.5)) + (1 << config.colour_bits);
         }
       }
     }

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// halfspace frames
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "cli/sequence.hpp"
+#include "cli/video.hpp"
+
+namespace halfspace::cli {
+namespace {
+
+struct Options {
+  SequenceOptions sequence;
+  std::string output, difference, json;
+  int gain = 4;
+};
+
+Picture picture_of(const ref::Colours& colours, int width, int height) {
+  Picture picture{width, height, {}};
+  for (const auto& c : colours) picture.pixels.push_back({c[0], c[1], c[2]});
+  return picture;
+}
+
+void frames(const Options& options) {
+  const FrameSize size = parse_size(options.sequence.size);
+  FrameWriter writer(options.output, size.width, size.height, kFramesASecond);
+  std::unique_ptr<FrameWriter> differences;
+  if (!options.difference.empty()) differences = std::make_unique<FrameWriter>(options.difference, size.width, size.height, kFramesASecond);
+  ref::Shares shares;
+  int between = 0;
+  const Sequence sequence = run_sequence(options.sequence, [&](const SequenceFrame& frame) {
+    const Picture shown = picture_of(frame.shown, size.width, size.height);
+    writer.write(shown);
+    if (differences) differences->write(difference_picture(shown, picture_of(frame.rendered, size.width, size.height), options.gain));
+    if (frame.is_key) return;
+    ++between;
+    shares.background += frame.shares.background, shares.blended += frame.shares.blended;
+    shares.copied += frame.shares.copied, shares.filled += frame.shares.filled;
+  });
+  writer.finish();
+  if (differences) differences->finish();
+  const double shown = std::max(1.0, double(shares.blended + shares.copied + shares.filled));
+  fmt::print("{} {}: {} frames, {} keys, {} in between; of their covered pixels {:.2f} % blended, {:.2f} % copied, {:.2f} % rendered\n",
+             options.sequence.engine, options.sequence.scene, sequence.frames, sequence.keys.size(), between,
+             100 * double(shares.blended) / shown, 100 * double(shares.copied) / shown, 100 * double(shares.filled) / shown);
+  write_json(options.json, {{"scene", options.sequence.scene}, {"engine", options.sequence.engine}, {"config", sequence.colour},
+                            {"motion", sequence.motion}, {"width", sequence.width}, {"height", sequence.height},
+                            {"frames", sequence.frames}, {"keys", sequence.keys}, {"between", between},
+                            {"pixels", {{"background", shares.background}, {"blended", shares.blended},
+                                        {"copied", shares.copied}, {"rendered", shares.filled}}}});
+}
+
+}  // namespace
+
+void add_frames(CLI::App& app, int&) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("frames", "an animation of which key frames are drawn and the rest is made from their motion");
+  add_sequence_options(command, options->sequence);
+  command->add_option("-o,--output", options->output, "a film (.mp4, .mkv, .webm, .gif) or pictures like frame_%04d.png")->required();
+  command->add_option("--difference", options->difference, "likewise: 128 + gain times what a frame differs by from the rendered one");
+  command->add_option("--gain", options->gain, "of --difference")->capture_default_str()->check(CLI::Range(1, 128));
+  command->add_option("--json", options->json, "file for the numbers");
+  command->footer("  halfspace frames drone --keys 1:4 -o drone.mp4           one frame in five is drawn\n"
+                  "  halfspace frames drone --keys auto --psnr 50 -o d.mp4     keys where the motion asks for them\n"
+                  "docs/frames.md says how frames are made.\n");
+  command->callback([options] { frames(*options); });
+}
+
+}  // namespace halfspace::cli

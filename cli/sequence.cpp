@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/sequence.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/progress.hpp"
+#include "cli/scene_input.hpp"
+#include "ref/error.hpp"
+#include "ref/quality.hpp"
+#include "vectors/texture.hpp"
+#include "vectors/up_convert.hpp"
+
+namespace halfspace::cli {
+namespace {
+
+constexpr int kMostBetween = 4;
+
+// By the reference or the kernels.
+class Converter {
+ public:
+  virtual ~Converter() = default;
+  virtual void set_keys(const ref::Scene& first, const ref::Scene& second) = 0;
+  virtual const ref::Colours& key(int k) const = 0;
+  // All but the number and the baselines.
+  virtual SequenceFrame at(const ref::Scene& between, double a) = 0;
+};
+
+class ReferenceConverter : public Converter {
+ public:
+  explicit ReferenceConverter(const ref::UpConversion& mode) : mode_(mode) {}
+
+  void set_keys(const ref::Scene& first, const ref::Scene& second) override {
+    interval_ = std::make_unique<ref::Interval>(first, second, mode_);
+  }
+  const ref::Colours& key(int k) const override { return interval_->key(k).colour; }
+  SequenceFrame at(const ref::Scene& between, double a) override {
+    ref::FrameBetween made = interval_->at(between, a);
+    SequenceFrame out;
+    out.shown = std::move(made.colour);
+    out.rendered = std::move(made.rendered);
+    out.shares = made.shares;
+    return out;
+  }
+
+ private:
+  const ref::UpConversion mode_;
+  std::unique_ptr<ref::Interval> interval_;
+};
+
+class KernelConverter : public Converter {
+ public:
+  explicit KernelConverter(const vectors::KernelUpConversion& mode) : converter_(mode) {}
+
+  void set_keys(const ref::Scene& first, const ref::Scene& second) override { converter_.set_keys(first, second); }
+  const ref::Colours& key(int k) const override { return converter_.key_colour(k); }
+  SequenceFrame at(const ref::Scene& between, double a) override {
+    vectors::KernelFrameBetween made = converter_.at(between, a);
+    SequenceFrame out;
+    out.shown = std::move(made.colour);
+    out.rendered = std::move(made.rendered);
+    out.shares = made.shares;
+    out.words = made.words;
+    out.misses[0] = made.misses[0], out.misses[1] = made.misses[1];
+    out.cycles = made.cycles;
+    return out;
+  }
+
+ private:
+  vectors::KernelUpConverter converter_;
+};
+
+template <class Kind, std::size_t N>
+Kind kind_of(const Kind (&kinds)[N], const std::string& name) {
+  return *std::find_if(std::begin(kinds), std::end(kinds), [&](Kind kind) { return ref::name_of(kind) == name; });
+}
+
+std::unique_ptr<Converter> reference_converter(const SequenceOptions& options, const FrameSize& size, const ref::RasterFormat& format) {
+  ref::UpConversion mode{size.width, size.height, format};
+  mode.samples = options.samples;
+  mode.shading = kind_of(ref::kShadingModes, options.shading);
+  if (options.texture != "none") {
+    mode.texture = ref::TextureMode{options.texture == "nearest" ? ref::TextureFilter::kNearest : ref::TextureFilter::kBilinear};
+  }
+  mode.method = options.method == "straight" ? ref::MotionMethod::kStraight : ref::MotionMethod::kExact;
+  const bool linear = options.mapping == "affine" || options.method == "straight";
+  mode.mapping = linear ? ref::VectorMapping::kLinear : ref::VectorMapping::kPerspective;
+  if (!options.filter.empty()) mode.compensation.filter = kind_of(ref::kFilters, options.filter);
+  mode.compensation.index_test = options.index_test;
+  mode.field = options.half ? ref::FieldSize::kHalf : ref::FieldSize::kSamples;
+  mode.surfaces = options.surfaces;
+  mode.relight = options.relight && options.method == "exact";
+  return std::make_unique<ReferenceConverter>(mode);
+}
+
+// The configuration that draws frames of this size, with texture if it is asked for.
+vectors::Configuration colour_configuration(const SequenceOptions& options, const FrameSize& size) {
+  const auto fits = [&](const vectors::Configuration& c) {
+    return size.width * options.samples <= c.config().width && size.height * options.samples <= c.config().height;
+  };
+  vectors::Configuration chosen = vectors::find_configuration(options.config.empty() ? "middle" : options.config);
+  if (options.config.empty() && !fits(chosen)) chosen = vectors::find_configuration("high");
+  if (!fits(chosen)) {
+    throw ref::Error(fmt::format("--size {}: with {} samples a pixel each way it is more than configuration {} draws: take a smaller "
+                                 "one, or a larger configuration", options.size, options.samples, chosen.name()));
+  }
+  Config numbers = chosen.config();
+  if (options.texture == "none" || has_texture(numbers)) return chosen;
+  numbers.texture = options.texture == "nearest" ? TextureFilter::kNearest : TextureFilter::kBilinear;
+  numbers.mapping = TextureMapping::kPerspective;
+  numbers.texels = 65536;
+  numbers.textures = 32;
+  numbers.coordinate_bits = std::min(24, numbers.reciprocal_bits - 2);
+  numbers.coordinate_fraction = numbers.depth_fraction;
+  return vectors::Configuration("textured_" + chosen.name(), numbers);
+}
+
+vectors::Configuration motion_of(const SequenceOptions& options, const FrameSize& size, const vectors::Configuration& colour) {
+  if (!options.motion.empty()) return vectors::find_configuration(options.motion);
+  Config numbers = vectors::default_motion(colour.config());
+  if (!options.filter.empty()) vectors::set_choice(numbers, "filter", options.filter);
+  if (!options.mapping.empty()) vectors::set_choice(numbers, "mapping", options.mapping);
+  if (options.method == "straight") numbers.mapping = TextureMapping::kAffine;
+  numbers.relight = options.relight && options.method == "exact" ? 1 : 0;
+  numbers.samples = options.samples;
+  return vectors::motion_configuration(colour, numbers, size.width * options.samples, size.height * options.samples);
+}
+
+int between_of(const std::string& keys) {
+  if (keys == "auto") return 0;
+  if (keys.size() == 3 && keys.compare(0, 2, "1:") == 0 && keys[2] >= '1' && keys[2] <= '0' + kMostBetween) return keys[2] - '0';
+  throw ref::Error(fmt::format("--keys {}: one key frame to how many in between: write 1:1 … 1:{}, or auto", keys, kMostBetween));
+}
+
+}  // namespace
+
+void add_sequence_options(CLI::App* command, SequenceOptions& o) {
+  command->add_option("SCENE", o.scene, "an animated scene (" + builtin_names() + ") or a mesh file with an animation")->required();
+  command->add_option("--keys", o.keys, "key frames to frames in between, 1:1 … 1:4; auto: as many in between as keep --psnr")->capture_default_str();
+  command->add_option("--psnr", o.psnr, "dB that each frame in between has to keep against its rendered one, with --keys auto")->capture_default_str();
+  command->add_option("--engine", o.engine, "ref: floating-point reference; hls: fixed-point kernels")
+      ->check(CLI::IsMember({"ref", "hls"}))
+      ->capture_default_str();
+  command->add_option("--config", o.config, "of the frames: low, middle, high or a .toml file; default: middle, or high for a large frame");
+  command->add_option("--motion", o.motion, "of the motion: a .toml file with shading = \"motion\"; default: made for --config");
+  command->add_option("--size", o.size, "frame, WxH")->capture_default_str();
+  command->add_option("--first", o.first, "first frame of the animation")->capture_default_str()->check(CLI::NonNegativeNumber);
+  command->add_option("--frames", o.frames, "how many; default: to the end of the animation")->check(CLI::PositiveNumber);
+  command->add_option("--filter", o.filter, "of key frames")->check(CLI::IsMember({"nearest", "bilinear", "area", "bicubic"}));
+  command->add_option("--mapping", o.mapping, "of places in key frames: affine on the screen, or perspective (default)")
+      ->check(CLI::IsMember({"affine", "perspective"}));
+  command->add_option("--method", o.method, "exact: where each vertex is; straight: on the line between its places in the key frames")
+      ->check(CLI::IsMember({"exact", "straight"}))
+      ->capture_default_str();
+  command->add_option("--texture", o.texture, "draw the textures; built-in animations are of bricks then")
+      ->check(CLI::IsMember({"none", "nearest", "bilinear"}))
+      ->capture_default_str();
+  command->add_option("--samples", o.samples, "of a pixel each way: 1, 2, 4")->check(CLI::IsMember({1, 2, 4}))->capture_default_str();
+  command->add_flag("--relight,!--no-relight", o.relight, "add what the light changes between the keys (default)");
+  command->add_flag("--half", o.half, "a motion vector for 2x2 pixels");
+  command->add_flag("!--no-index-test", o.index_test, "for --engine ref: take what lies in the place, whatever face it shows");
+  command->add_flag("--surfaces", o.surfaces, "for --engine ref: pixels match by smooth surfaces, not by faces");
+}
+
+Sequence run_sequence(const SequenceOptions& options, const std::function<void(const SequenceFrame&)>& sink) {
+  const int fill = between_of(options.keys);
+  const FrameSize size = parse_size(options.size);
+  const bool textured = options.texture != "none";
+  ref::Scene scene = ref::load_scene(options.scene, double(options.first) / kFramesASecond, textured);
+  if (scene.duration <= 0) throw ref::Error(fmt::format("{}: nothing moves in it: take an animated scene", options.scene));
+  const int all = int(std::floor(scene.duration * kFramesASecond)) + 1 - options.first;
+  const int frames = options.frames ? std::min(options.frames, all) : all;
+  if (frames < 3) throw ref::Error(fmt::format("{}: {} frames from --first on, and two keys with one in between are 3: take more", options.scene, std::max(frames, 0)));
+
+  const vectors::Configuration colour = colour_configuration(options, size);
+  Sequence out{size.width, size.height, frames, {}, colour.name(), ""};
+  const auto fitted = [&](int number) {
+    ref::Scene at = ref::load_scene(options.scene, double(options.first + number) / kFramesASecond, textured);
+    if (has_texture(colour.config())) vectors::fit_textures(at, colour.config());
+    return at;
+  };
+  std::unique_ptr<Converter> converter;
+  if (options.engine == "ref") {
+    converter = reference_converter(options, size, vectors::raster_format(colour));
+  } else {
+    if (!options.index_test || options.surfaces) throw ref::Error("--no-index-test, --surfaces: the kernels go by faces: take --engine ref");
+    const vectors::Configuration motion = motion_of(options, size, colour);
+    out.motion = motion.name();
+    const auto method = options.method == "straight" ? ref::MotionMethod::kStraight : ref::MotionMethod::kExact;
+    converter = std::make_unique<KernelConverter>(vectors::KernelUpConversion{size.width, size.height, colour, motion, method, options.half});
+  }
+
+  Progress progress(options.scene);
+  ref::Scene first = fitted(0);
+  for (int key = 0; key < frames;) {
+    out.keys.push_back(key);
+    if (key + 1 == frames) break;
+    std::vector<SequenceFrame> between;
+    ref::Scene last;
+    int count = std::min(fill ? fill : kMostBetween, frames - 2 - key);
+    for (bool kept = false; !kept; --count) {
+      between.clear();
+      last = fitted(key + count + 1);
+      converter->set_keys(first, last);
+      kept = true;
+      for (int n = 1; n <= count && kept; ++n) {
+        SequenceFrame& frame = between.emplace_back(converter->at(fitted(key + n), double(n) / (count + 1)));
+        frame.number = key + n;
+        if (!fill) kept = ref::quality(frame.shown, frame.rendered, size.width, size.height).psnr_y >= options.psnr;
+        progress.tell(std::size_t(key + n), std::size_t(frames));
+      }
+      if (kept) break;
+    }
+    SequenceFrame shown;
+    shown.number = key;
+    shown.is_key = true;
+    shown.shown = shown.rendered = converter->key(0);
+    sink(shown);
+    for (SequenceFrame& frame : between) {
+      const double a = double(frame.number - key) / double(between.size() + 1);
+      frame.average = ref::temporal_average(converter->key(0), converter->key(1));
+      frame.repeat = ref::repeated(converter->key(0), converter->key(1), a);
+      sink(frame);
+    }
+    key += int(between.size()) + 1;
+    first = std::move(last);
+    if (key + 1 == frames) {
+      shown.number = key;
+      shown.shown = shown.rendered = converter->key(1);
+      sink(shown);
+    }
+  }
+  return out;
+}
+
+}  // namespace halfspace::cli

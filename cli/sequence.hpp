@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Frame-rate up-conversion of an animation: key frames, and what is made between them.
+#ifndef HALFSPACE_CLI_SEQUENCE_HPP_
+#define HALFSPACE_CLI_SEQUENCE_HPP_
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "cli/scene_input.hpp"
+#include "ref/up_convert.hpp"
+#include "vectors/configuration.hpp"
+
+namespace halfspace::cli {
+
+constexpr int kFramesASecond = 30;
+
+struct SequenceOptions {
+  std::string scene, engine = "hls", config, motion, size = "320x240", keys = "1:4";
+  std::string filter, mapping, method = "exact", texture = "none", shading = "gouraud";
+  int samples = 1, first = 0, frames = 0;  // frames 0: to the end of the animation
+  bool relight = true, half = false, index_test = true, surfaces = false;
+  double psnr = 45;  // of --keys auto
+};
+
+void add_sequence_options(CLI::App* command, SequenceOptions& options);
+
+// A frame between keys, or a key.
+struct SequenceFrame {
+  int number = 0;       // of the sequence, from 0 on
+  bool is_key = false;
+  ref::Colours shown;     // compensated; a key as it is drawn
+  ref::Colours rendered;  // without up-conversion
+  ref::Colours average, repeat;  // of the keys; empty of a key
+  ref::Shares shares;
+  std::size_t words = 0, misses[2] = {0, 0}, cycles = 0;  // of kernels
+};
+
+// Key frames and the fill between: `between[i]` frames from the i-th key to the next.
+struct Sequence {
+  int width, height, frames;
+  std::vector<int> keys;  // their numbers
+  std::string colour, motion;  // configurations, of kernels
+};
+
+// Tells of each frame in order. Progress on standard error. Throws ref::Error.
+Sequence run_sequence(const SequenceOptions& options, const std::function<void(const SequenceFrame&)>& sink);
+
+}  // namespace halfspace::cli
+
+#endif  // HALFSPACE_CLI_SEQUENCE_HPP_

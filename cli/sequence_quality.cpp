@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/sequence_quality.hpp"
+
+#include <fmt/format.h>
+
+#include "cli/gnuplot.hpp"
+#include "cli/video.hpp"
+
+namespace halfspace::cli {
+namespace {
+
+constexpr const char* kColours[ref::kBlockClasses] = {"#8c2d2d", "#d9853b", "#e8d36b", "#8fbf8f", "#2a7d5c"};
+
+Json quality_json(const ref::Quality& q) {
+  Json blocks;
+  for (int n = 0; n < ref::kBlockClasses; ++n) blocks[ref::name_of(ref::BlockClass(n))] = q.blocks[std::size_t(n)];
+  return {{"psnr_y_db", q.psnr_y}, {"psnr_db", q.psnr}, {"ssim", q.ssim}, {"blocks", blocks}};
+}
+
+Picture picture_of(const ref::Colours& colours, int width, int height) {
+  Picture picture{width, height, {}};
+  for (const auto& c : colours) picture.pixels.push_back({c[0], c[1], c[2]});
+  return picture;
+}
+
+ref::Colours colours_of(const Picture& picture) {
+  ref::Colours colours;
+  for (const auto& p : picture.pixels) colours.push_back({p[0], p[1], p[2], 255});
+  return colours;
+}
+
+// What the filter makes of the keys, for the frames in between that it reaches.
+std::optional<ref::Quality> quality_of_minterpolate(const Sequence& sequence, const std::vector<ref::Colours>& rendered) {
+  const std::size_t keys = sequence.keys.size();
+  if (!ffmpeg_is_installed() || keys < 2) return std::nullopt;
+  const int factor = sequence.keys[1] - sequence.keys[0];
+  std::vector<Picture> shown;
+  for (std::size_t k = 0; k < keys; ++k) {
+    if (sequence.keys[k] != int(k) * factor) break;  // the last interval is shorter
+    shown.push_back(picture_of(rendered[std::size_t(sequence.keys[k])], sequence.width, sequence.height));
+  }
+  if (shown.size() < 2 || factor < 2) return std::nullopt;
+  const std::vector<Picture> made = interpolated_by_ffmpeg(shown, factor);
+  ref::MeanQuality mean;
+  for (std::size_t n = 0; n < made.size() && n < rendered.size(); ++n) {
+    if (n % std::size_t(factor) == 0) continue;
+    mean.add(ref::quality(colours_of(made[n]), rendered[n], sequence.width, sequence.height));
+  }
+  return mean.frames() ? std::optional(mean.mean()) : std::nullopt;
+}
+
+}  // namespace
+
+SequenceQuality measure_sequence(const SequenceOptions& options, bool with_minterpolate) {
+  SequenceQuality out;
+  const FrameSize size = parse_size(options.size);
+  std::vector<ref::Colours> rendered;
+  ref::MeanQuality compensated, average, repeat;
+  out.sequence = run_sequence(options, [&](const SequenceFrame& frame) {
+    if (with_minterpolate) rendered.push_back(frame.rendered);
+    if (frame.is_key) return;
+    const auto against = [&](const ref::Colours& picture) { return ref::quality(picture, frame.rendered, size.width, size.height); };
+    const ref::Quality made = against(frame.shown), mean = against(frame.average);
+    compensated.add(made), average.add(mean), repeat.add(against(frame.repeat));
+    out.blocks.push_back(made.blocks), out.average_blocks.push_back(mean.blocks);
+    out.shares.background += frame.shares.background, out.shares.blended += frame.shares.blended;
+    out.shares.copied += frame.shares.copied, out.shares.filled += frame.shares.filled;
+    out.words += frame.words, out.misses += frame.misses[0] + frame.misses[1], out.cycles += frame.cycles;
+  });
+  out.between = compensated.frames();
+  if (out.between == 0) return out;
+  out.compensated = compensated.mean(), out.average = average.mean(), out.repeat = repeat.mean();
+  if (with_minterpolate) out.minterpolate = quality_of_minterpolate(out.sequence, rendered);
+  return out;
+}
+
+Json to_json(const SequenceQuality& q) {
+  Json json = {{"config", q.sequence.colour}, {"motion", q.sequence.motion}, {"width", q.sequence.width}, {"height", q.sequence.height},
+               {"frames", q.sequence.frames}, {"keys", q.sequence.keys}, {"between", q.between},
+               {"compensated", quality_json(q.compensated)}, {"temporal_average", quality_json(q.average)},
+               {"repeat", quality_json(q.repeat)},
+               {"pixels", {{"background", q.shares.background}, {"blended", q.shares.blended}, {"copied", q.shares.copied},
+                           {"rendered", q.shares.filled}}},
+               {"motion_words", q.words}, {"cache_misses", q.misses}, {"compensation_cycles", q.cycles}};
+  if (q.minterpolate) json["minterpolate"] = quality_json(*q.minterpolate);
+  return json;
+}
+
+void plot_blocks(const SequenceQuality& quality, const std::string& title, const std::string& picture) {
+  std::string script = fmt::format(
+      "set terminal pngcairo size 1000,640 font 'sans,11' background rgb 'white'\nset output {}\nset multiplot layout 2,1 title {}\n"
+      "set style data histograms\nset style histogram rowstacked\nset style fill solid 0.95 noborder\nset boxwidth 1\n"
+      "set yrange [0:100]\nset ylabel 'blocks of 4x4, percent'\nset key outside right top\nunset xtics\nset grid ytics\n",
+      gnuplot_quoted(picture), gnuplot_quoted(title));
+  const auto plot = [&](const char* name, const char* label, const std::vector<std::array<double, ref::kBlockClasses>>& frames) {
+    script += fmt::format("${} << EOD\n", name);
+    for (const auto& frame : frames) {
+      for (const double share : frame) script += fmt::format("{} ", 100 * share);
+      script += "\n";
+    }
+    script += fmt::format("EOD\nset xlabel {}\nplot ", gnuplot_quoted(label));
+    for (int n = 0; n < ref::kBlockClasses; ++n) {
+      script += fmt::format("{}${} using {} lc rgb '{}' title '{}'", n ? ", " : "", name, n + 1, kColours[n], ref::name_of(ref::BlockClass(n)));
+    }
+    script += "\n";
+  };
+  plot("average", "frames in between: temporal average of the keys", quality.average_blocks);
+  plot("made", "frames in between: motion compensated", quality.blocks);
+  run_gnuplot(script + "unset multiplot\n", picture);
+}
+
+}  // namespace halfspace::cli

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// How good frames between key frames are, beside what needs no motion and what finds motion in pictures.
+#ifndef HALFSPACE_CLI_SEQUENCE_QUALITY_HPP_
+#define HALFSPACE_CLI_SEQUENCE_QUALITY_HPP_
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/sequence.hpp"
+#include "ref/quality.hpp"
+
+namespace halfspace::cli {
+
+// Means over the frames in between, against these as rendered.
+struct SequenceQuality {
+  Sequence sequence;
+  int between = 0;
+  ref::Quality compensated, average, repeat;
+  std::optional<ref::Quality> minterpolate;  // none without ffmpeg, or where intervals are not of one length
+  ref::Shares shares;                        // of pixels of the field, all frames
+  std::size_t words = 0, misses = 0, cycles = 0;
+  std::vector<std::array<double, ref::kBlockClasses>> blocks;  // of each frame in between
+  std::vector<std::array<double, ref::kBlockClasses>> average_blocks;
+};
+
+SequenceQuality measure_sequence(const SequenceOptions& options, bool with_minterpolate);
+
+Json to_json(const SequenceQuality& quality);
+// Shares of blocks a frame, stacked: of the temporal average above, compensated below.
+void plot_blocks(const SequenceQuality& quality, const std::string& title, const std::string& picture);
+
+}  // namespace halfspace::cli
+
+#endif  // HALFSPACE_CLI_SEQUENCE_QUALITY_HPP_

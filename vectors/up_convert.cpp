@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vectors/up_convert.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "ref/error.hpp"
+#include "ref/ideal.hpp"
+#include "vectors/motion.hpp"
+#include "vectors/texture.hpp"
+
+namespace halfspace::vectors {
+namespace {
+
+// Those that the place of a vertex, the coverage and the depth of a pixel follow from.
+constexpr int Config::*const kShared[] = {&Config::range_bits,   &Config::subpixel_bits,   &Config::depth_bits,
+                                          &Config::colour_bits,  &Config::reciprocal_bits, &Config::depth_fraction};
+
+// Colours of a picture as a key frame holds them; the inverse of ref::displayed_colour.
+std::uint8_t stored_colour(std::uint8_t displayed, int bits) {
+  const unsigned full = (1u << bits) - 1;
+  return std::uint8_t((displayed * full + 127) / 255);
+}
+
+// Half a field, of a word for 2 × 2 pixels of the frame.
+std::vector<RawMotion> doubled(const std::vector<RawMotion>& field, int width, int height, const Config& config) {
+  std::vector<RawMotion> out;
+  const int most = 1 << (config.vector_range + config.vector_fraction);
+  for (const RawMotion& word : field) {
+    for (int n = 0; n < 4; ++n) {
+      RawMotion& pixel = out.emplace_back(word);
+      pixel.x = 2 * word.x + n % 2;
+      pixel.y = 2 * word.y + n / 2;
+      if (pixel.x >= width || pixel.y >= height) {
+        out.pop_back();
+        continue;
+      }
+      for (RawKeyVector& key : pixel.key) {
+        key.x *= 2, key.y *= 2;
+        if (key.x < -most || key.x >= most || key.y < -most || key.y >= most) key = {};
+      }
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+Config default_motion(const Config& colour) {
+  Config c{};
+  c.filter = KeyFilter::kBilinear;
+  c.mapping = TextureMapping::kPerspective;
+  // A reciprocal 4 bits longer than a place leaves 7/8 of the half unit to the gradients.
+  c.coordinate_bits = std::min(24, colour.reciprocal_bits - 4);
+  c.vector_fraction = 5;
+  c.weight_bits = 6;
+  c.face_bits = 16;
+  c.relight = 1;
+  c.samples = 1;
+  return c;
+}
+
+Configuration motion_configuration(const Configuration& colour, const Config& motion, int width, int height) {
+  const Config c = colour.config();
+  Config out = motion;
+  for (const auto field : kShared) out.*field = c.*field;
+  out.width = width, out.height = height;
+  out.triangles = c.triangles;
+  out.lanes = c.lanes;
+  out.architecture = c.architecture;
+  out.shading = Shading::kMotion;
+  // As far as the frame is long, and gradients as fine as they have to be.
+  if (out.vector_range == 0) out.vector_range = std::min(13, bits_for(std::max(width, height)));
+  if (out.coordinate_fraction == 0) {
+    while (out.coordinate_fraction < 40 && !plane_error_ok(out, out.coordinate_bits, out.coordinate_fraction)) ++out.coordinate_fraction;
+  }
+  out.colour_fraction = 0;
+  if (relights(out)) {
+    while (out.colour_fraction < 40 && !plane_error_ok(out, colour_plane_bits(out), out.colour_fraction)) ++out.colour_fraction;
+  }
+  return Configuration("motion_" + colour.name(), out);
+}
+
+KernelUpConverter::KernelUpConverter(const KernelUpConversion& mode)
+    : mode_(mode),
+      motion_(mode_.motion.config()),
+      colour_engine_(make_engine(mode.colour, mode.lanes)),
+      motion_engine_(make_engine(mode.motion, mode.lanes)),
+      compensator_(mode.motion) {
+  const Config colour = mode.colour.config();
+  for (const auto field : kShared) {
+    if (colour.*field == motion_.*field) continue;
+    for (const ConfigField& named : config_fields()) {
+      if (named.value != field) continue;
+      throw ref::Error(fmt::format("configurations {} and {}: {} differs, so that the field would have other edges than the frames: "
+                                   "take the same", mode.colour.name(), mode.motion.name(), named.name));
+    }
+  }
+  if (has_lighting(colour)) {
+    throw ref::Error(fmt::format("configuration {} lights in hardware, and frames in between are of triangles that come lit: take one "
+                                 "without lights", mode.colour.name()));
+  }
+  if (mode.half_field && motion_.samples != 1) {
+    throw ref::Error(fmt::format("configuration {}: half a field has no samples: take one with samples = 1", mode.motion.name()));
+  }
+}
+
+ref::View KernelUpConverter::view(int scale) const {
+  return {mode_.width * scale, mode_.height * scale, motion_.range_bits, motion_.subpixel_bits};
+}
+
+ref::DrawnFrame KernelUpConverter::drawn(ref::Geometry& geometry) {
+  if (has_texture(mode_.colour.config())) colour_engine_->texture(texture_frame(geometry, mode_.colour.config()));
+  const ref::TriangleList list = ref::lit_triangles(geometry);
+  ref::Frame frame = colour_engine_->render(ref::snap(list, raster_format(mode_.colour)));
+  for (std::uint32_t& shown : frame.index) shown = ref::face_of(list, shown);
+  return {frame.width, frame.height, std::move(frame.colour), std::move(frame.index)};
+}
+
+void KernelUpConverter::set_keys(const ref::Scene& first, const ref::Scene& second) {
+  scenes_[0].emplace(first), scenes_[1].emplace(second);
+  for (std::size_t k = 0; k < 2; ++k) {
+    ref::Geometry geometry(*scenes_[k], view(motion_.samples));
+    const ref::DrawnFrame frame = drawn(geometry);
+    ref::Identities numbers = ref::face_identities(*scenes_[k]);
+    for (std::size_t face = 1; face < numbers.size(); ++face) numbers[face] = std::uint32_t(face_number(std::uint32_t(face), motion_));
+    const ref::KeyFrame key = ref::key_frame(frame, motion_.samples, numbers);
+    keys_[k] = {key.width, key.height, {}, key.identity};
+    for (const auto& colour : key.colour) {
+      auto& rgb = keys_[k].rgb.emplace_back();
+      for (std::size_t c = 0; c < 3; ++c) rgb[c] = stored_colour(colour[c], motion_.colour_bits);
+    }
+    key_colours_[k] = key.colour;
+  }
+}
+
+std::vector<RawMotion> KernelUpConverter::field(const ref::Scene& between, double a) {
+  ref::View seen = view(motion_.samples);
+  if (mode_.half_field) seen.width /= 2, seen.height /= 2;
+  const ref::Between motion = ref::follow(mode_.method, *scenes_[0], *scenes_[1], between, a, seen);
+  ref::OfKeys<ref::LightChange> change;
+  if (relights(motion_)) {
+    ref::Geometry lit(between, seen);
+    for (std::size_t k = 0; k < 2; ++k) {
+      ref::Geometry key(*scenes_[k], seen);
+      change[k] = ref::light_change(lit, key, motion_.colour_bits);
+    }
+  }
+  motion_engine_->move(motion_frame(motion, motion_, change));
+  const std::vector<RawMotion> words = motion_engine_->motion(ref::snap(motion.list, raster_format(mode_.motion)));
+  return mode_.half_field ? doubled(words, mode_.width, mode_.height, motion_) : words;
+}
+
+KernelFrameBetween KernelUpConverter::at(const ref::Scene& between, double a) {
+  const int samples = motion_.samples;
+  ref::Geometry geometry(between, view(samples));
+  const ref::DrawnFrame whole = drawn(geometry);
+
+  input_ = {whole.width, whole.height, {&keys_[0], &keys_[1]}, field(between, a), 0};
+  input_.weight = int(std::floor((1 - a) * (1 << motion_.weight_bits) + 0.5));
+  const CompensatedFrame made = compensator_.run(input_);
+
+  KernelFrameBetween out;
+  out.words = input_.motion.size();
+  out.misses = made.misses;
+  out.cycles = made.cycles;
+  out.rendered = ref::averaged(whole.colour, whole.width, whole.height, samples);
+  ref::Colours colour = whole.colour;  // holes and background
+  out.shares.background = colour.size() - out.words;
+  for (const CompensatedPixel& pixel : made.pixels) {
+    if (out.words == 0) break;  // the word that ends a frame
+    if (pixel.keys == 0) {
+      ++out.shares.filled;
+      continue;
+    }
+    ++(pixel.keys == 3 ? out.shares.blended : out.shares.copied);
+    auto& at = colour[std::size_t(pixel.y) * whole.width + pixel.x];
+    for (std::size_t c = 0; c < 3; ++c) at[c] = ref::displayed_colour(pixel.rgb[c], motion_.colour_bits);
+  }
+  out.colour = ref::averaged(colour, whole.width, whole.height, samples);
+  return out;
+}
+
+}  // namespace halfspace::vectors

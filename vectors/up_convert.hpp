@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// Frame-rate up-conversion by the kernels: what ref/up_convert.hpp is by the reference.
+#ifndef HALFSPACE_VECTORS_UP_CONVERT_HPP_
+#define HALFSPACE_VECTORS_UP_CONVERT_HPP_
+
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "ref/up_convert.hpp"
+#include "vectors/compensation.hpp"
+#include "vectors/configuration.hpp"
+#include "vectors/engine.hpp"
+
+namespace halfspace::vectors {
+
+// Numbers of motion that cost hardly any quality: docs/frames.md shows what fewer bits cost.
+Config default_motion(const Config& colour);
+
+// The numbers of motion of `motion` on the triangles of `colour`: the same grid of vertices and the same depths, without which field
+// and frames disagree at every edge. `width` and `height` are of the field. A vector_range of 0 becomes one that spans the frame,
+// a coordinate_fraction of 0, and colour_fraction, the least that is accepted. Throws ref::Error for numbers that are refused.
+Configuration motion_configuration(const Configuration& colour, const Config& motion, int width, int height);
+
+struct KernelUpConversion {
+  int width, height;      // of a frame; even for half a field
+  Configuration colour;   // of frames as they are drawn, motion.samples times as large each way
+  Configuration motion;   // of the field, on the same triangles
+  ref::MotionMethod method = ref::MotionMethod::kExact;
+  bool half_field = false;  // a vector for 2 × 2 pixels; of motion.samples = 1
+  int lanes = 16;
+};
+
+struct KernelFrameBetween : ref::FrameBetween {
+  std::size_t words = 0;                // of motion: pixels of the field that show a face
+  std::array<std::size_t, 2> misses{};  // of each key's cache
+  std::size_t cycles = 0;               // that hs_motion_compensate takes where nothing makes it wait
+};
+
+// Two key frames at a time, and what lies between them.
+class KernelUpConverter {
+ public:
+  // Throws ref::Error if the two configurations do not draw the same triangles.
+  explicit KernelUpConverter(const KernelUpConversion&);
+
+  void set_keys(const ref::Scene& first, const ref::Scene& second);
+  const KeyFrame& key(int k) const { return keys_[std::size_t(k)]; }
+  const ref::Colours& key_colour(int k) const { return key_colours_[std::size_t(k)]; }
+  // `between` is the scene at `a` of the way from the first key to the second. Throws ref::Error where ref::follow does.
+  KernelFrameBetween at(const ref::Scene& between, double a);
+  // What its compensation was last given.
+  const CompensationInput& input() const { return input_; }
+
+ private:
+  // Of the kernels, a face of the scene a pixel.
+  ref::DrawnFrame drawn(ref::Geometry&);
+  ref::View view(int scale) const;
+  std::vector<RawMotion> field(const ref::Scene& between, double a);
+
+  const KernelUpConversion mode_;
+  const Config motion_;
+  std::unique_ptr<Engine> colour_engine_, motion_engine_;
+  Compensator compensator_;
+  std::array<std::optional<ref::Scene>, 2> scenes_;
+  std::array<KeyFrame, 2> keys_;
+  std::array<ref::Colours, 2> key_colours_;
+  CompensationInput input_;
+};
+
+}  // namespace halfspace::vectors
+
+#endif  // HALFSPACE_VECTORS_UP_CONVERT_HPP_
