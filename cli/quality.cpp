@@ -32,7 +32,7 @@ void quality(const Options& options) {
   print("temporal average", q.average);
   print("nearer key", q.repeat);
   if (q.minterpolate) print("ffmpeg minterpolate", *q.minterpolate);
-  else fmt::print("{:<20} not measured: it takes ffmpeg, and keys as far apart as each other\n", "ffmpeg minterpolate");
+  else fmt::print("{:<20} not measured: it takes ffmpeg, and three keys or more as far apart as each other\n", "ffmpeg minterpolate");
   const double shown = double(q.shares.blended + q.shares.copied + q.shares.filled);
   fmt::print("\nof covered pixels {:.2f} % blended, {:.2f} % copied from one key, {:.2f} % rendered; classes are of 4x4 blocks, from {} dB on\n",
              100 * double(q.shares.blended) / shown, 100 * double(q.shares.copied) / shown, 100 * double(q.shares.filled) / shown,

@@ -7,6 +7,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/progress.hpp"
+#include "cli/repro_frames.hpp"
 #include "cli/repro_plots.hpp"
 #include "ref/error.hpp"
 #include "vectors/index_rendering.hpp"
@@ -229,6 +230,7 @@ void add_repro(CLI::App& app, int&) {
   command->require_subcommand(1);
   command->footer("  halfspace repro A                     index rendering: lightings, buffers and bandwidth of four architectures\n"
                   "  halfspace repro B castle model.glb    dual pipeline: instructions and time that deferred lighting saves\n"
+                  "  halfspace repro C gouraud --frames 31  frame-rate up-conversion: PSNR of frames that are made, ten animations\n"
                   "docs/repro.md says what the numbers are.\n");
   const auto add = [&](const char* name, const char* what, void (*run)(const Options&)) {
     auto options = std::make_shared<Options>();
@@ -244,6 +246,7 @@ void add_repro(CLI::App& app, int&) {
   };
   add("A", "index rendering", repro_a);
   add("B", "dual pipeline", repro_b);
+  add_repro_frames(command);
 }
 
 }  // namespace halfspace::cli

@@ -32,14 +32,14 @@ ref::Colours colours_of(const Picture& picture) {
 // What the filter makes of the keys, for the frames in between that it reaches.
 std::optional<ref::Quality> quality_of_minterpolate(const Sequence& sequence, const std::vector<ref::Colours>& rendered) {
   const std::size_t keys = sequence.keys.size();
-  if (!ffmpeg_is_installed() || keys < 2) return std::nullopt;
+  if (!ffmpeg_is_installed() || keys < 3) return std::nullopt;
   const int factor = sequence.keys[1] - sequence.keys[0];
   std::vector<Picture> shown;
   for (std::size_t k = 0; k < keys; ++k) {
     if (sequence.keys[k] != int(k) * factor) break;  // the last interval is shorter
     shown.push_back(picture_of(rendered[std::size_t(sequence.keys[k])], sequence.width, sequence.height));
   }
-  if (shown.size() < 2 || factor < 2) return std::nullopt;
+  if (shown.size() < 3 || factor < 2) return std::nullopt;
   const std::vector<Picture> made = interpolated_by_ffmpeg(shown, factor);
   ref::MeanQuality mean;
   for (std::size_t n = 0; n < made.size() && n < rendered.size(); ++n) {
@@ -88,7 +88,7 @@ Json to_json(const SequenceQuality& q) {
 
 void plot_blocks(const SequenceQuality& quality, const std::string& title, const std::string& picture) {
   std::string script = fmt::format(
-      "set terminal pngcairo size 1000,640 font 'sans,11' background rgb 'white'\nset output {}\nset multiplot layout 2,1 title {}\n"
+      "set terminal pngcairo size 1000,640 noenhanced font 'sans,11' background rgb 'white'\nset output {}\nset multiplot layout 2,1 title {}\n"
       "set style data histograms\nset style histogram rowstacked\nset style fill solid 0.95 noborder\nset boxwidth 1\n"
       "set yrange [0:100]\nset ylabel 'blocks of 4x4, percent'\nset key outside right top\nunset xtics\nset grid ytics\n",
       gnuplot_quoted(picture), gnuplot_quoted(title));

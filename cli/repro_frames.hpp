@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef HALFSPACE_CLI_REPRO_FRAMES_HPP_
+#define HALFSPACE_CLI_REPRO_FRAMES_HPP_
+
+#include <CLI/CLI.hpp>
+
+namespace halfspace::cli {
+
+// `halfspace repro C`: the table of frame-rate up-conversion.
+void add_repro_frames(CLI::App* repro);
+
+}  // namespace halfspace::cli
+
+#endif  // HALFSPACE_CLI_REPRO_FRAMES_HPP_
