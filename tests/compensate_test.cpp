@@ -244,6 +244,24 @@ TEST(Compensate, ASquareMovedByWholePixelsIsItself) {
   EXPECT_LE(others, 4);  // around the corner's pixel
 }
 
+TEST(Compensate, BlendsByTime) {
+  // From (100, 60, 20) to (200, 61, 0).
+  const At scene = [](double a) {
+    return squares({{20, 30, 50, 40, 0, glm::mix(glm::dvec3(100, 60, 20), glm::dvec3(200, 61, 0), a) / 255.0}});
+  };
+  UpConversion mode = kPlain;
+  const auto at = [&](double a) { return between(scene, a, mode).colour[50 * kWidth + 40]; };
+  EXPECT_EQ(at(0.25), (std::array<std::uint8_t, 4>{125, 60, 15, 255}));
+  EXPECT_EQ(at(0.5), (std::array<std::uint8_t, 4>{150, 61, 10, 255}));  // 60.5 goes up
+  EXPECT_EQ(at(0.75), (std::array<std::uint8_t, 4>{175, 61, 5, 255}));
+  mode.compensation.use[0] = false;
+  EXPECT_EQ(at(0.25), (std::array<std::uint8_t, 4>{200, 61, 0, 255}));
+  const Colours first{{100, 60, 20, 255}}, second{{201, 61, 0, 255}};
+  EXPECT_EQ(temporal_average(first, second)[0], (std::array<std::uint8_t, 4>{151, 61, 10, 255}));
+  EXPECT_EQ(repeated(first, second, 0.5), first);
+  EXPECT_EQ(repeated(first, second, 0.6), second);
+}
+
 TEST(Compensate, EdgesBetweenPixelsBySamples) {
   const At moved = [](double a) { return squares({{20 + 11 * a, 30, 50, 40}}); };  // keys on pixels, 25.5 between
   UpConversion mode = surfaces(kPlain);
@@ -362,13 +380,16 @@ TEST(Hidden, AcrossTheNearPlane) {
 
 // --- light ---
 
+// A ring at rest, and a light that goes around it.
+Scene relit_ring(double a) {
+  Scene scene = load_scene("ring");
+  scene.lights = {Light{}};
+  scene.lights[0].direction = glm::normalize(glm::dvec3(std::sin(2 * a), -0.5, -std::cos(2 * a)));
+  return scene;
+}
+
 TEST(Relight, ByPlanesIsWithinTheRoundings) {
-  const At scene = [](double a) {
-    Scene scene = load_scene("ring");
-    scene.lights = {Light{}};
-    scene.lights[0].direction = glm::normalize(glm::dvec3(std::sin(2 * a), -0.5, -std::cos(2 * a)));
-    return scene;
-  };
+  const At scene = relit_ring;
   UpConversion mode = with(Filter::kBilinear);
   const FrameBetween dark = between(scene, 0.4, mode);
   EXPECT_GT(largest_difference(dark.colour, dark.rendered), 20);
@@ -377,6 +398,22 @@ TEST(Relight, ByPlanesIsWithinTheRoundings) {
   EXPECT_LE(largest_difference(lit.colour, lit.rendered), 1);  // half a step at the keys, half at the end
   mode.method = MotionMethod::kStraight;
   EXPECT_THROW(between(scene, 0.4, mode), Error);
+}
+
+// Exact for a texture of one colour, which is its mean.
+TEST(Relight, OfATextureGoesByItsMean) {
+  const At scene = [](double a) {
+    Scene scene = relit_ring(a);
+    scene.materials[0].texture = 0;
+    scene.textures = {Texture{"grey", 1, 1, {{100, 200, 50}}}};
+    scene.meshes[0].texture_coordinates.resize(scene.meshes[0].positions.size());
+    return scene;
+  };
+  UpConversion mode = with(Filter::kBilinear);
+  mode.texture = TextureMode{};
+  EXPECT_GT(largest_difference(between(scene, 0.4, mode).colour, between(scene, 0.4, mode).rendered), 10);
+  mode.relight = true;
+  EXPECT_LE(largest_difference(between(scene, 0.4, mode).colour, between(scene, 0.4, mode).rendered), 1);
 }
 
 // --- key frames ---

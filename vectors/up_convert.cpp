@@ -146,7 +146,7 @@ std::vector<RawMotion> KernelUpConverter::field(const ref::Scene& between, doubl
     ref::Geometry lit(between, seen);
     for (std::size_t k = 0; k < 2; ++k) {
       ref::Geometry key(*scenes_[k], seen);
-      change[k] = ref::light_change(lit, key, motion_.colour_bits);
+      change[k] = ref::light_change(lit, key, motion_.colour_bits, has_texture(mode_.colour.config()));
     }
   }
   motion_engine_->move(motion_frame(motion, motion_, change));
