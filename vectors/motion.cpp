@@ -38,9 +38,11 @@ RawKeyPlaces quantized_places(const std::array<glm::dvec2, 3>& place, const std:
   return out;
 }
 
-MotionFrame motion_frame(const ref::Between& between, const Config& config, const std::vector<ColoursInTime>& colours) {
-  if (!colours.empty() && colours.size() != between.traces.size()) {
-    throw ref::Error("the colours of a frame in between are not those of its triangles: give as many as it has triangles");
+MotionFrame motion_frame(const ref::Between& between, const Config& config, const ref::OfKeys<std::vector<ColourChange>>& changes) {
+  for (const auto& of_key : changes) {
+    if (!of_key.empty() && of_key.size() != between.traces.size()) {
+      throw ref::Error("the colours of a frame in between are not those of its triangles: give as many as it has triangles");
+    }
   }
   MotionFrame frame;
   for (std::size_t k = 0; k < between.traces.size(); ++k) {
@@ -64,8 +66,8 @@ MotionFrame motion_frame(const ref::Between& between, const Config& config, cons
       if (!relights(config)) continue;
       for (int c = 0; c < 3; ++c) {
         for (int v = 0; v < 3; ++v) {
-          const int difference = colours.empty() ? 0 : int(colours[k].between[v][c]) - int(colours[k].at_key[key][v][c]);
-          out.key[key].difference[c][v] = difference + (1 << config.colour_bits);
+          const int change = changes[key].empty() ? 0 : changes[key][k][v][c];
+          out.key[key].difference[c][v] = change + (1 << config.colour_bits);
         }
       }
     }

@@ -28,13 +28,8 @@ struct MotionFrame {
   std::vector<RawMotionVectors> triangles;
 };
 
-// r, g, b of the three vertices, colour_bits each.
-using VertexColours = std::array<std::array<std::uint8_t, 3>, 3>;
-// Of a triangle: in between, and as the same points of the surface have them at the keys.
-struct ColoursInTime {
-  VertexColours between;
-  ref::OfKeys<VertexColours> at_key;
-};
+// Of the vertices of a triangle, each r, g, b of colour_bits: their colours in between less those of the same points at a key.
+using ColourChange = std::array<std::array<int, 3>, 3>;
 
 // The number of a face of the scene in key pixels and motion words: 1 … 2^face_bits − 1, again from 1 after that.
 int face_number(std::uint32_t face, const Config& config);
@@ -44,9 +39,10 @@ int face_number(std::uint32_t face, const Config& config);
 RawKeyPlaces quantized_places(const std::array<glm::dvec2, 3>& place, const std::array<double, 3>& weight, const Config& config);
 
 // Of the triangles of `between`. Affine: vertices are where they are snapped in either frame, as in ref::fixed_vectors; with
-// perspective at their exact places. A triangle with a vertex nearer than the near plane at a key has no place there. `colours`, a
-// triangle each, with relight alone: without, colours are the same at all times.
-MotionFrame motion_frame(const ref::Between& between, const Config& config, const std::vector<ColoursInTime>& colours = {});
+// perspective at their exact places. A triangle with a vertex nearer than the near plane at a key has no place there. `changes`,
+// with relight alone, have a change a triangle; without, colours are the same at all times.
+MotionFrame motion_frame(const ref::Between& between, const Config& config,
+                         const ref::OfKeys<std::vector<ColourChange>>& changes = {});
 
 // For `triangles` triangles, from `seed`, as no scene has them: places of all kinds in turn: any, at the ends of the range of
 // positions, q as far apart as can be, hardly apart, in any octave, a triangle that is nowhere; differences likewise.
