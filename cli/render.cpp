@@ -87,7 +87,9 @@ ref::Frame draw_by(const Options& options, const LoadedScene& loaded, Counts& co
   std::optional<ref::Scene> scene;
   std::optional<ref::Geometry> geometry;
   std::unique_ptr<ref::Surface> surface;
-  if (ref::is_tri_file(options.input.scene)) {
+  if (loaded.between) {
+    surface = ref::given_surface(list);  // black: it gives no picture
+  } else if (ref::is_tri_file(options.input.scene)) {
     if (options.shading == "phong") throw ref::Error(options.input.scene + ": its triangles have colours and no normals: leave out --shading phong");
     surface = ref::given_surface(list);
   } else {
@@ -125,6 +127,12 @@ void render(const Options& options) {
   LoadedScene loaded = load_snapped(options.input);
   const ref::SnappedList& scene = loaded.list;
   const int lanes = options.lanes ? options.lanes : 16;
+  const bool moves = has_motion(loaded.configuration.config());
+  if (moves && (options.engine == "ideal" || !options.shading.empty() || !options.texture.empty() || !options.output.empty() ||
+                !options.dump.empty())) {
+    throw ref::Error(fmt::format("configuration {} gives motion and no picture: leave out --engine ideal, --shading, --texture, -o and --dump",
+                                 loaded.configuration.name()));
+  }
   Counts counts;
   const bool chosen = !options.architecture.empty() || !options.shading.empty() || !options.texture.empty();
   if (chosen && options.engine == "hls") {

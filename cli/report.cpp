@@ -130,6 +130,9 @@ Json print_table(const Json& cosim, const Json& units, const vectors::Accuracy& 
 int report(const Options& options) {
   const Json cosim = read_json(options.cosim), units = read_json(options.units);
   const LoadedScene loaded = load_snapped(options.input);
+  if (loaded.between) {
+    throw ref::Error(fmt::format("configuration {} gives motion and no picture: name one that shades", loaded.configuration.name()));
+  }
   const ref::SnappedList& scene = loaded.list;
   const ref::Frame reference = reference_of(loaded);
   const ref::Frame kernels = kernels_of(loaded, 16)->render(scene);

@@ -63,6 +63,7 @@ void add_scene_options(CLI::App* command, SceneInput& input) {
                       "middle, or high when the scene does not fit");
   command->add_option("--size", input.size, "frame, WxH; default: the size in the file, or the configuration's own");
   command->add_option("--time", input.time, "seconds into the animation")->capture_default_str();
+  command->add_option("--interval", input.interval, "of a motion configuration: seconds T0:T1 of the key frames, with --time between them");
 }
 
 namespace {
@@ -87,10 +88,15 @@ vectors::TextureFrame texture_of(const LoadedScene& loaded) {
   return vectors::texture_frame(geometry_of(loaded), loaded.configuration.config());
 }
 
+vectors::MotionFrame motion_of(const LoadedScene& loaded) {
+  return vectors::motion_frame(*loaded.between, loaded.configuration.config());
+}
+
 std::unique_ptr<vectors::Engine> kernels_of(const LoadedScene& loaded, int lanes) {
   auto engine = vectors::make_engine(loaded.configuration, lanes);
   if (has_lighting(loaded.configuration.config())) engine->light(lighting_of(loaded));
   if (has_texture(loaded.configuration.config())) engine->texture(texture_of(loaded));
+  if (has_motion(loaded.configuration.config())) engine->move(motion_of(loaded));
   return engine;
 }
 
@@ -118,10 +124,54 @@ ref::Frame reference_of(const LoadedScene& loaded) {
   return frame_of(list, ref::draw(list, *surface, ref::Architecture::kDelta));
 }
 
+namespace {
+
+// "T0:T1", T0 before T1. Throws ref::Error.
+ref::OfKeys<double> parse_interval(const SceneInput& input) {
+  const std::string& text = input.interval;
+  ref::OfKeys<double> times{};
+  const char* const end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, times[0]);
+  const bool has_colon = first.ec == std::errc() && first.ptr != end && *first.ptr == ':';
+  const auto second = has_colon ? std::from_chars(first.ptr + 1, end, times[1]) : first;
+  if (!has_colon || second.ec != std::errc() || second.ptr != end || !(times[0] < times[1])) {
+    throw ref::Error(fmt::format("--interval {}: not the times of two key frames: write it like 0.1:0.3", text));
+  }
+  if (input.time < times[0] || input.time > times[1]) {
+    throw ref::Error(fmt::format("--time {}: not between the key frames of --interval {}: choose another", input.time, text));
+  }
+  return times;
+}
+
+// The triangles in between, by their exact positions.
+LoadedScene load_between(const SceneInput& input, const vectors::Configuration& configuration) {
+  if (input.interval.empty() || ref::is_tri_file(input.scene)) {
+    throw ref::Error(fmt::format("{}: configuration {} is of frames between key frames: name an animated scene, and the times by --time and "
+                                 "--interval T0:T1", input.scene, configuration.name()));
+  }
+  const ref::OfKeys<double> times = parse_interval(input);
+  const ref::RasterFormat format = vectors::raster_format(configuration);
+  const FrameSize size = input.size.empty() ? FrameSize{format.width, format.height} : parse_size(input.size);
+  const auto scene = std::make_shared<ref::Scene>(ref::load_scene(input.scene, input.time));
+  const ref::View view{size.width, size.height, format.range_bits, format.subpixel_bits};
+  const auto between = std::make_shared<ref::Between>(
+      ref::follow(ref::MotionMethod::kExact, ref::load_scene(input.scene, times[0]), ref::load_scene(input.scene, times[1]), *scene,
+                  (input.time - times[0]) / (times[1] - times[0]), view));
+  return {snap_scene(input.scene, between->list, format), configuration, [scene](const ref::View& v) { return ref::project(*scene, v); },
+          scene, between};
+}
+
+}  // namespace
+
 LoadedScene load_snapped(const SceneInput& input) {
   FrameSize size;
   if (!input.size.empty()) size = parse_size(input.size);
   const vectors::Configuration chosen = vectors::find_configuration(input.config.empty() ? "middle" : input.config);
+  if (has_motion(chosen.config())) return load_between(input, chosen);
+  if (!input.interval.empty()) {
+    throw ref::Error(fmt::format("--interval {}: configuration {} shades frames: leave it out, or name a configuration with shading = \"motion\"",
+                                 input.interval, chosen.name()));
+  }
   const ref::RasterFormat first = vectors::raster_format(chosen);
 
   vectors::Projection project;
@@ -149,7 +199,7 @@ LoadedScene load_snapped(const SceneInput& input) {
     ref::RasterFormat format = vectors::raster_format(configuration);
     if (input.window != 0) format.triangles = std::numeric_limits<int>::max();
     const ref::TriangleList list = project({size.width, size.height, format.range_bits, format.subpixel_bits});
-    return {snap_scene(input.scene, list, format), configuration, project, scene};
+    return {snap_scene(input.scene, list, format), configuration, project, scene, nullptr};
   };
   if (!input.config.empty()) return snapped(chosen);
   // Not said: middle if the scene fits it.

@@ -9,12 +9,14 @@
 
 #include "ref/snap.hpp"
 #include "ref/architecture.hpp"
+#include "ref/motion.hpp"
 #include "ref/raster.hpp"
 #include "ref/scene.hpp"
 #include "ref/surface.hpp"
 #include "vectors/configuration.hpp"
 #include "vectors/engine.hpp"
 #include "vectors/lighting.hpp"
+#include "vectors/motion.hpp"
 #include "vectors/trade.hpp"
 
 namespace halfspace::cli {
@@ -24,6 +26,7 @@ struct SceneInput {
   std::string config;  // name or .toml; empty: middle, or high when the scene does not fit middle
   std::string size;    // "WxH"; empty: a *.tri's size, or the configuration's
   double time = 0;     // seconds into the animation
+  std::string interval;  // "T0:T1", seconds: the key frames of a motion configuration, which draws the frame at `time` between them
   int window = 0;      // of index reuse; not 0: there may be more triangles than the configuration takes
 };
 
@@ -38,6 +41,7 @@ struct LoadedScene {
   vectors::Configuration configuration;  // of its format
   vectors::Projection project;           // the scene as another view sees it
   std::shared_ptr<ref::Scene> scene;     // null of a *.tri
+  std::shared_ptr<ref::Between> between;  // of a motion configuration: the triangles of `list`, and where they are in the key frames
 };
 
 // The lights, materials and normals of the triangles. Throws ref::Error where there are none.
@@ -45,7 +49,10 @@ vectors::LightingFrame lighting_of(const LoadedScene& loaded);
 // The textures, and the coordinates of the triangles. Throws ref::Error likewise.
 vectors::TextureFrame texture_of(const LoadedScene& loaded);
 
-// The kernels of its configuration, with its lighting and its textures if they take them.
+// Where the triangles are in the key frames; colours as if they were the same in these.
+vectors::MotionFrame motion_of(const LoadedScene& loaded);
+
+// The kernels of its configuration, with its lighting, its textures or its motion if they take them.
 std::unique_ptr<vectors::Engine> kernels_of(const LoadedScene& loaded, int lanes);
 
 // The picture of a drawing, with its buffers.

@@ -51,6 +51,7 @@ void write_vectors(const Options& options) {
     frames.push_back({options.input.scene, scene.list});
     if (has_lighting(configuration.config())) frames.back().lighting = lighting_of(scene);
     if (has_texture(configuration.config())) frames.back().texture = texture_of(scene);
+    if (has_motion(configuration.config())) frames.back().motion = motion_of(scene);
   }
   const ref::RasterFormat format = vectors::raster_format(configuration);
   if (largest) frames = vectors::largest_frames(format);
@@ -69,6 +70,13 @@ void write_vectors(const Options& options) {
     for (std::size_t n = 0; n < frames.size(); ++n) {
       if (!frames[n].texture.triangles.empty()) continue;  // the scene's
       frames[n].texture = vectors::awkward_coordinates(frames[n].scene.triangles.size(), configuration.config(), options.seed + n);
+    }
+  }
+
+  if (has_motion(configuration.config())) {
+    for (std::size_t n = 0; n < frames.size(); ++n) {
+      if (!frames[n].motion.triangles.empty()) continue;  // the scene's
+      frames[n].motion = vectors::awkward_motion(frames[n].scene.triangles.size(), configuration.config(), options.seed + n);
     }
   }
 

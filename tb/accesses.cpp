@@ -84,7 +84,9 @@ std::uint64_t content_bits(const Stream& stream, std::initializer_list<const cha
 }  // namespace
 
 std::vector<Accesses> count_accesses(const Vectors& vectors, const std::map<std::string, Words>& received, const Largest& largest) {
-  for (const char* name : {"stamp", "update", "visible", "scan", "planes"}) {
+  const bool moves = vectors.find("motion_planes") != nullptr;
+  const char* const planes_name = moves ? "motion_planes" : "planes";
+  for (const char* name : {"stamp", "update", "visible", "scan", planes_name}) {
     if (vectors.find(name) == nullptr) return {};  // a set of one's own may lack it
   }
   const auto all = [&](const char* name) {
@@ -93,7 +95,7 @@ std::vector<Accesses> count_accesses(const Vectors& vectors, const std::map<std:
     return Received{*vectors.find(name), words == received.end() ? kNone : words->second};
   };
   const Received stamp = all("stamp"), update = all("update"), visible = all("visible"), scan = all("scan");
-  const Received planes = all("planes");
+  const Received planes = all(planes_name);
   const std::uint64_t lanes = vectors.lanes(), fragments = stamp.set("mask"), passed = update.set("mask");
   const auto whole = [](std::uint64_t size, int stamp_size) { return (size + stamp_size - 1) / stamp_size * stamp_size; };
   const std::uint64_t pixels = whole(largest.width, vectors.lanes_x) * whole(largest.height, vectors.lanes_y);
@@ -132,7 +134,7 @@ std::vector<Accesses> count_accesses(const Vectors& vectors, const std::map<std:
   }
   const std::uint64_t stored = planes.size() - planes.set("empty");
   add({"shading_database", content_bits(planes.stream, {"last", "empty", "index"}), entries, stored,
-       planes.stream.find("material") ? covered : entries, stored}, 2 * triangles);  // shade_phong reads it for each pixel
+       moves || planes.stream.find("material") ? covered : entries, stored}, 2 * triangles);  // shade_phong and motion_field read it for each pixel
   return result;
 }
 

@@ -36,7 +36,9 @@ std::string pixel_text(const WordPlace& place, int lane) {
   const Field* const x = whole_number(*place.stream, "x");
   const Field* const y = whole_number(*place.stream, "y");
   if (x == nullptr || y == nullptr || x->count != 1 || y->count != 1) return "";
-  const int lanes_x = place.vectors->lanes_x, lanes_y = place.vectors->lanes_y;
+  // A word of motion is of one pixel.
+  const bool of_stamp = place.stream->name != "motion";
+  const int lanes_x = of_stamp ? place.vectors->lanes_x : 1, lanes_y = of_stamp ? place.vectors->lanes_y : 1;
   const std::uint32_t* const word = place.stream->words[place.word];
   const std::uint64_t left = x->raw(word) * unsigned(lanes_x), top = y->raw(word) * unsigned(lanes_y);
   const auto point = [&](int dx, int dy) {

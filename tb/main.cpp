@@ -68,6 +68,9 @@ int run_cosim(Model* model, Vectors* vectors, const Options& options) {
   std::set<std::string> names;
   for (const Stream& stream : vectors->streams) names.insert(stream.name);
   load_streams(names, vectors);
+  if (!options.dump.empty() && vectors->find("pixel") == nullptr) {
+    throw Error("--dump: a frame between key frames has motion and no picture; leave it out");
+  }
   LastFrame last;
   const Result result = run_pipeline(model, *vectors, options, &last);
   if (!options.dump.empty()) write_file(options.dump, rgba_picture(*vectors, last.pixel));

@@ -10,7 +10,7 @@ namespace {
 constexpr int kPause = 64;
 // What is loaded before a frame, and what geometry answers to `visible`.
 constexpr const char* kLoads[] = {"light", "material", "texture", "texel"};
-constexpr const char* kAnswers[] = {"normals", "texture_coordinates"};
+constexpr const char* kAnswers[] = {"normals", "texture_coordinates", "motion_vectors"};
 template <std::size_t N>
 bool is_one_of(const char* const (&names)[N], const std::string& name) {
   return std::find(std::begin(names), std::end(names), name) != std::end(names);
@@ -80,7 +80,7 @@ Bound bound_of(const Vectors& vectors, const Model& model, int setup_interval) {
   if (const Stream* const scan = vectors.find("scan")) {
     bound.pixels = scan->frame_words[frame];
     // Shaders that take a pixel after the other, and the lights of each; of background one of a stamp.
-    const int turns = model.constant("Phong") ? model.constant("Lights") : model.constant("HasTexture") ? 1 : 0;
+    const int turns = model.constant("Phong") ? model.constant("Lights") : model.constant("HasTexture") || model.constant("HasMotion") ? 1 : 0;
     const Field& index = scan->need("index", "the bound of cycles");
     const Segment words = segment_of(*scan, {frame, ""});
     std::uint64_t serial = 0;
@@ -111,6 +111,7 @@ Result run_pipeline(Model* model, const Vectors& vectors, const Options& options
   Geometry geometry;
   geometry.triangles = vectors.window;
   std::vector<std::pair<const Stream*, Receiver*>> receivers;
+  const char* const end_name = vectors.find("motion") ? "motion" : "pixel";  // ends a frame
   Receiver* pixel = nullptr;
   bool scans = false;
   for (const Stream& stream : vectors.streams) {
@@ -126,7 +127,7 @@ Result run_pipeline(Model* model, const Vectors& vectors, const Options& options
       continue;
     }
     receivers.emplace_back(&stream, &bench.add_receiver(stream));
-    if (stream.name == "pixel") pixel = receivers.back().second;
+    if (stream.name == end_name) pixel = receivers.back().second;
     if (stream.name == "visible") {
       const Field& visible = stream.need("visible", "the answers of geometry");
       receivers.back().second->on_word([&geometry, &visible](const std::uint32_t* word) {
@@ -138,7 +139,7 @@ Result run_pipeline(Model* model, const Vectors& vectors, const Options& options
   }
   if (triangles == nullptr || pixel == nullptr || !scans) {
     throw Error(vectors.directory +
-                "/manifest.json: lacks one of the streams triangle, scan and pixel; make the set again");
+                "/manifest.json: lacks one of the streams triangle, scan and " + end_name + "; make the set again");
   }
 
   if (vectors.window != 0) triangles->hold(&geometry.triangles);
@@ -159,7 +160,7 @@ Result run_pipeline(Model* model, const Vectors& vectors, const Options& options
       for (const auto& [stream, receiver] : receivers) receiver->expect(segment_of(*stream, turns[turn]));
     }
     if (end == turns.size()) {
-      last->pixel = Words(vectors.find("pixel")->bits);
+      last->pixel = Words(vectors.find(end_name)->bits);
       pixel->record_last(&last->pixel);
       for (const auto& [stream, receiver] : receivers) {
         if (std::find(std::begin(kCountedStreams), std::end(kCountedStreams), stream->name) == std::end(kCountedStreams)) continue;

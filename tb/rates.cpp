@@ -3,7 +3,7 @@
 
 namespace halfspace::tb {
 
-const char* const kCountedStreams[7] = {"visible", "stamp", "update", "scan", "planes", "colours", "texture_planes"};
+const char* const kCountedStreams[8] = {"visible", "stamp", "update", "scan", "planes", "colours", "texture_planes", "motion_planes"};
 
 namespace {
 

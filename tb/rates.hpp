@@ -22,7 +22,7 @@ struct Rates {
 };
 
 // The streams that tell them, and what is read and written.
-extern const char* const kCountedStreams[7];
+extern const char* const kCountedStreams[8];
 // Of the words received, by stream; one that is not there counts nothing. A textured pixel takes `texels`.
 Rates count_rates(const Vectors& vectors, const std::map<std::string, Words>& received, int texels);
 

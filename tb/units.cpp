@@ -37,6 +37,8 @@ const Unit kUnits[] = {
     {"shade_phong", "shade_phong_", {"scan"}, {"pixel"}, {"light", "material", "planes"}, false},
     {"texture_setup", "texture_setup_", {"visible_attributes", "texture_coordinates"}, {"texture_planes"}, {}, false},
     {"shade_texture", "shade_texture_", {"scan", "lit"}, {"pixel"}, {"texture", "texel", "texture_planes"}, false},
+    {"motion_setup", "motion_setup_", {"visible_attributes", "motion_vectors"}, {"motion_planes"}, {}, false},
+    {"motion_field", "motion_field_", {"scan"}, {"motion"}, {"motion_planes"}, false},
 };
 
 // The units of the configuration that a vector set is of: its streams tell which Z-test it has, and a stream that it has not

@@ -23,7 +23,7 @@ sys.path.insert(0, str(TB))
 from model import LANES_X, Broken, build, run  # noqa: E402
 
 KEYS = ["why", "file", "find", "with", "unit", "says"]
-UNITS = {"hs_units": 6, "hs_light_units": 4, "hs_phong_units": 4, "hs_texture_units": 2}  # that a top has
+UNITS = {"hs_units": 6, "hs_light_units": 4, "hs_phong_units": 4, "hs_texture_units": 2, "hs_motion_units": 2}  # that a top has
 BENCH = re.compile(r"^bench (\w+) \S+ \w+: (\d+) words on \d+ streams compared, (\d+) mismatches, \d+ cycles$",
                    re.MULTILINE)
 FAIL = re.compile(r"^FAIL (\w+): (.*)$", re.MULTILINE)
