@@ -8,6 +8,7 @@
 #include "cli/commands.hpp"
 #include "cli/progress.hpp"
 #include "cli/repro_plots.hpp"
+#include "cli/repro_static.hpp"
 #include "ref/error.hpp"
 #include "vectors/index_rendering.hpp"
 #include "vectors/lighting_cost.hpp"
@@ -229,6 +230,7 @@ void add_repro(CLI::App& app, int&) {
   command->require_subcommand(1);
   command->footer("  halfspace repro A                     index rendering: lightings, buffers and bandwidth of four architectures\n"
                   "  halfspace repro B castle model.glb    dual pipeline: instructions and time that deferred lighting saves\n"
+                  "  halfspace repro E                     static objects buffer: 180 M triangles, of which few objects move\n"
                   "docs/repro.md says what the numbers are.\n");
   const auto add = [&](const char* name, const char* what, void (*run)(const Options&)) {
     auto options = std::make_shared<Options>();
@@ -244,6 +246,7 @@ void add_repro(CLI::App& app, int&) {
   };
   add("A", "index rendering", repro_a);
   add("B", "dual pipeline", repro_b);
+  add_repro_static(*command);
 }
 
 }  // namespace halfspace::cli

@@ -24,6 +24,7 @@ ObjectRaster::ObjectRaster(const Scene& scene, const RasterFormat& format, int w
       viewpoint_(ref::viewpoint(scene, double(width) / height)),
       frame_planes_(frame_planes(view_)),
       guard_planes_(guard_planes(view_)),
+      frame_in_guard_(std::max(width, height) < 1 << (format.range_bits - 1)),
       spans_(width, height, format.subpixel_bits) {
   if (depth_bits_ == 0) throw Error("format " + format.name + " has no depth, by which buffers are merged: take one that has");
 }
@@ -35,7 +36,13 @@ void ObjectRaster::snap_into(SnappedTriangle& t, int v, const Vertex& vertex) co
 }
 
 ObjectRaster::Corner ObjectRaster::corner(const glm::dvec4& clip) const {
-  Corner corner{clip, outside(clip, frame_planes_), outside(clip, guard_planes_), 0, 0, 0};
+  Corner corner{clip, 0, 0, 0, 0, 0};
+  // Well inside the frame it is inside all planes, whatever the rounding.
+  const double w = (1 - 1e-6) * clip.w;
+  if (!(clip.z > 0 && clip.z < w && std::abs(clip.x) < w && std::abs(clip.y) < w && frame_in_guard_)) {
+    corner.outside_frame = outside(clip, frame_planes_);
+    corner.outside_guard = outside(clip, guard_planes_);
+  }
   if (corner.outside_guard == 0) {
     SnappedTriangle t;
     snap_into(t, 0, viewport(clip, view_));

@@ -58,6 +58,20 @@ class ObjectRaster {
   void transform(const Instance&, const Mesh&);
   Corner corner(const glm::dvec4& clip) const;
   void snap_into(SnappedTriangle&, int vertex, const Vertex&) const;
+  // Spans of a triangle that is a few pixels wide: each centre of its box is looked at, which takes no division.
+  static constexpr int kFewColumns = 3;
+  template <class Visit>
+  void few_columns(const OrderedTriangle& t, const Box& box, Visit&& visit) const {
+    for (int row = box.y0; row < box.y1; ++row) {
+      Span span{box.x1, -1};
+      for (int column = box.x0; column < box.x1; ++column) {
+        const std::int64_t x = spans_.centre(column), y = spans_.centre(row);
+        if (t.edge(0, x, y) < 0 || t.edge(1, x, y) < 0 || t.edge(2, x, y) < 0) continue;
+        span.first = std::min<std::int64_t>(span.first, column), span.last = column;
+      }
+      if (span.first <= span.last) visit(row, span);
+    }
+  }
   // The pixels whose centres lie in the box of a triangle.
   Box pixel_box(const SnappedTriangle&) const;
 
@@ -66,6 +80,7 @@ class ObjectRaster {
   const int depth_bits_;
   Viewpoint viewpoint_;
   std::vector<ClipPlane> frame_planes_, guard_planes_;
+  const bool frame_in_guard_;
   const Spans spans_;
   std::vector<Corner> corners_;  // of the mesh at hand
 };
@@ -109,14 +124,21 @@ Drawn ObjectRaster::fragments(std::uint32_t instance, const Box& region, Visit&&
     if (!box.meets(region)) return;
     const OrderedTriangle t(snapped);
     const Plane depth(t, {snapped.depth[0], snapped.depth[1], snapped.depth[2]});
-    spans_.of(t, [&](std::int64_t row, Span span) {
-      if (row < region.y0 || row >= region.y1) return;
-      span = {std::max<std::int64_t>(span.first, region.x0), std::min<std::int64_t>(span.last, region.x1 - 1)};
-      if (span.first > span.last) return;
+    const auto span_of = [&](std::int64_t row, Span span) {
       Wide numerator = depth.numerator(spans_.centre(span.first), spans_.centre(row));
       const Wide step = Wide(depth.step_x) * spans_.one();
       for (std::int64_t column = span.first; column <= span.last; ++column, numerator += step)
         visit(int(column), int(row), std::uint32_t(depth.rounded(numerator)), number);
+    };
+    const Box inside = box.cut(region);
+    if (box.x1 - box.x0 <= kFewColumns) {
+      if (t.area != 0) few_columns(t, inside, span_of);
+      return;
+    }
+    spans_.of(t, [&](std::int64_t row, Span span) {
+      if (row < inside.y0 || row >= inside.y1) return;
+      span = {std::max<std::int64_t>(span.first, inside.x0), std::min<std::int64_t>(span.last, inside.x1 - 1)};
+      if (span.first <= span.last) span_of(row, span);
     });
   });
   return drawn;

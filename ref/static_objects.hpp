@@ -61,6 +61,7 @@ class StaticObjects {
   const ObjectBuffer& picture() const { return picture_; }
   ObjectState state(std::uint32_t instance) const { return objects_[instance].state; }
   const ObjectBuffer& static_buffer(int k) const { return static_[k]; }
+  int buffers() const { return int(static_.size()); }
   int buffer_of(std::uint32_t instance) const { return int(instance % static_.size()); }
   bool is_static(std::uint32_t instance) const { return objects_[instance].is_static; }
   ObjectRaster& raster() { return raster_; }
