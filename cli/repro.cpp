@@ -9,6 +9,7 @@
 #include "cli/progress.hpp"
 #include "cli/repro_frames.hpp"
 #include "cli/repro_plots.hpp"
+#include "cli/repro_static.hpp"
 #include "ref/error.hpp"
 #include "vectors/index_rendering.hpp"
 #include "vectors/lighting_cost.hpp"
@@ -231,6 +232,7 @@ void add_repro(CLI::App& app, int&) {
   command->footer("  halfspace repro A                     index rendering: lightings, buffers and bandwidth of four architectures\n"
                   "  halfspace repro B castle model.glb    dual pipeline: instructions and time that deferred lighting saves\n"
                   "  halfspace repro C gouraud --frames 31  frame-rate up-conversion: PSNR of frames that are made, ten animations\n"
+                  "  halfspace repro E                     static objects buffer: 180 M triangles, of which few objects move\n"
                   "docs/repro.md says what the numbers are.\n");
   const auto add = [&](const char* name, const char* what, void (*run)(const Options&)) {
     auto options = std::make_shared<Options>();
@@ -247,6 +249,7 @@ void add_repro(CLI::App& app, int&) {
   add("A", "index rendering", repro_a);
   add("B", "dual pipeline", repro_b);
   add_repro_frames(command);
+  add_repro_static(*command);
 }
 
 }  // namespace halfspace::cli

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "ref/error.hpp"
+#include "ref/face_parts.hpp"
 
 namespace halfspace::ref {
 
@@ -46,26 +47,18 @@ void Geometry::draw(std::uint32_t number) {
     if (outside_one(polygon, frame_planes_)) continue;
     // Twice the area on the screen times the three w: right also for triangles that reach behind the viewer.
     const bool faces = glm::determinant(glm::dmat3(a.x, a.y, a.w, b.x, b.y, b.w, c.x, c.y, c.w)) > 0;
-    polygon = clip(std::move(polygon), guard_planes_);
-    for (std::size_t i = 2; i < polygon.size(); ++i) {
-      const std::array<const ClipVertex*, 3> part{&polygon[0], &polygon[i - 1], &polygon[i]};
-      const std::array<Vertex, 3> triangle{viewport(part[0]->position, view_), viewport(part[1]->position, view_),
-                                           viewport(part[2]->position, view_)};
-      if (!two_sided && !faces_viewer(triangle, view_)) continue;
-      list_.triangles.push_back(triangle);
+    face_parts(clip(std::move(polygon), guard_planes_), two_sided, view_, [&](const FacePart& part) {
+      list_.triangles.push_back(part.triangle);
       list_.face.push_back(face_);
-      origins_.push_back({number, corner, two_sided && !faces, {part[0]->weights, part[1]->weights, part[2]->weights},
-                          {part[0]->position.w, part[1]->position.w, part[2]->position.w}});
-    }
+      origins_.push_back({number, corner, two_sided && !faces, {part.from[0]->weights, part.from[1]->weights, part.from[2]->weights},
+                          {part.from[0]->position.w, part.from[1]->position.w, part.from[2]->position.w}});
+    });
   }
 }
 
 glm::dvec3 Geometry::normal(const Origin& origin, std::uint32_t corner) const {
   const Mesh& mesh = scene_.meshes[scene_.instances[origin.instance].mesh];
-  glm::dvec3 normal = placements_[origin.instance].turn * mesh.normals[corner];
-  const double length = glm::length(normal);
-  if (length > 0) normal /= length;
-  return origin.back ? -normal : normal;
+  return placed_normal(mesh, corner, placements_[origin.instance].turn, origin.back);
 }
 
 glm::dvec3 Geometry::corner_colour(const Origin& origin, std::uint32_t corner) {
@@ -75,9 +68,8 @@ glm::dvec3 Geometry::corner_colour(const Origin& origin, std::uint32_t corner) {
   if (lit.empty()) lit.resize(mesh.positions.size(), glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
   glm::dvec3& colour = lit[corner];
   if (std::isnan(colour.x)) {
-    const glm::dvec4 world = instance.to_world * glm::dvec4(mesh.positions[corner], 1);
-    const SurfacePoint point{world, normal(origin, corner), viewpoint_.to_viewer(world),
-                             mesh.colours.empty() ? glm::dvec3(1) : mesh.colours[corner]};
+    const SurfacePoint point =
+        placed_vertex(mesh, corner, instance.to_world, placements_[origin.instance].turn, origin.back, viewpoint_);
     colour = phong(point, scene_.materials[mesh.material], scene_.ambient, lights_);
     ++lit_corners_;
   }

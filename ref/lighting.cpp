@@ -12,6 +12,20 @@ glm::dmat3 normal_matrix(const glm::dmat4& to_world) {
   return glm::determinant(m) < 0 ? -1.0 * cofactors : cofactors;
 }
 
+glm::dvec3 placed_normal(const Mesh& mesh, std::uint32_t vertex, const glm::dmat3& turn, bool back) {
+  glm::dvec3 normal = turn * mesh.normals[vertex];
+  const double length = glm::length(normal);
+  if (length > 0) normal /= length;
+  return back ? -normal : normal;
+}
+
+SurfacePoint placed_vertex(const Mesh& mesh, std::uint32_t vertex, const glm::dmat4& to_world, const glm::dmat3& turn, bool back,
+                           const Viewpoint& viewpoint) {
+  const glm::dvec3 world(to_world * glm::dvec4(mesh.positions[vertex], 1));
+  return {world, placed_normal(mesh, vertex, turn, back), viewpoint.to_viewer(world),
+          mesh.colours.empty() ? glm::dvec3(1) : mesh.colours[vertex]};
+}
+
 Arrival arrive(const Light& light, const glm::dvec3& point) {
   if (light.kind == Light::Kind::kDirectional) return {-light.direction, light.colour};
   const glm::dvec3 way = light.position - point;

@@ -21,6 +21,11 @@ struct SurfacePoint {
 // mirrors too, and need no inverse.
 glm::dmat3 normal_matrix(const glm::dmat4& to_world);
 
+// A vertex of a mesh that is placed by `to_world`, whose normal matrix is `turn`; `back`: of a face that is seen from behind.
+glm::dvec3 placed_normal(const Mesh&, std::uint32_t vertex, const glm::dmat3& turn, bool back);
+SurfacePoint placed_vertex(const Mesh&, std::uint32_t vertex, const glm::dmat4& to_world, const glm::dmat3& turn, bool back,
+                           const Viewpoint&);
+
 // How a light arrives at a point.
 struct Arrival {
   glm::dvec3 to_light;   // L, length 1

@@ -55,6 +55,11 @@ struct Camera {
   double near = 0, far = 0;  // 0: taken from the geometry
 };
 
+// Distances from the eye at which depth is 0 and 1.
+struct DepthPlanes {
+  double near, far;
+};
+
 struct Scene {
   std::string name;
   std::vector<Mesh> meshes;
@@ -69,6 +74,8 @@ struct Scene {
   // seen. They are those of time 0: the view stays when the scene moves.
   glm::dvec3 view_direction{-0.5, -0.45, -0.75};
   std::vector<glm::dvec3> framing;
+  // Held over the frames of an animation, so that depths of its times compare; else they follow the geometry at hand.
+  std::optional<DepthPlanes> depth_planes;
   double duration = 0;  // seconds of the animation; 0 when the scene stands still
 };
 

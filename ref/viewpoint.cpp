@@ -71,32 +71,44 @@ void half_sizes(const Camera& camera, double aspect, double* half_width, double*
   *half_width = height * aspect;
 }
 
-}  // namespace
-
-Viewpoint viewpoint(const Scene& scene, double aspect) {
-  Camera camera;
+// Eye and directions.
+Viewpoint place(const Scene& scene, double aspect) {
   Viewpoint view;
   if (scene.camera) {
-    camera = *scene.camera;
-    view = look(camera.position, camera.forward, camera.up);
-    view.orthographic = camera.orthographic;
+    view = look(scene.camera->position, scene.camera->forward, scene.camera->up);
+    view.orthographic = scene.camera->orthographic;
   } else {
     view = look({0, 0, 0}, scene.view_direction, {0, 1, 0});
     view.eye = framing_eye(scene.framing, view, aspect);
   }
+  return view;
+}
 
+// A little more than the geometry has, so that nothing lies on a plane. The planes of a file can be far off
+// (0.05 and 1e6 for a model of 10); drawn in to the geometry they cut off the same, and leave depth its
+// bits. Without planes the nearest is at most 1:10000.
+DepthPlanes planes_from(const Scene& scene, const Viewpoint& view) {
+  if (scene.depth_planes) return *scene.depth_planes;
+  const Camera camera = scene.camera.value_or(Camera());
   const Range depth = depth_range(scene, view);
-  // A little more than the geometry has, so that nothing lies on a plane. The planes of a file can be far off
-  // (0.05 and 1e6 for a model of 10); drawn in to the geometry they cut off the same, and leave depth its
-  // bits. Without planes the nearest is at most 1:10000.
   double far = 1.02 * depth.high;
   if (camera.far > 0) far = std::min(far, camera.far);
   if (!(far > camera.near)) far = camera.near > 0 ? 2 * camera.near : 1;
   const double least = camera.near > 0 ? camera.near : 1e-4 * far;
-  const double near = std::clamp(0.98 * depth.low, least, std::max(least, 0.98 * far));
+  return {std::clamp(0.98 * depth.low, least, std::max(least, 0.98 * far)), far};
+}
 
+}  // namespace
+
+DepthPlanes depth_planes(const Scene& scene, double aspect) { return planes_from(scene, place(scene, aspect)); }
+
+DepthPlanes joined(const DepthPlanes& a, const DepthPlanes& b) { return {std::min(a.near, b.near), std::max(a.far, b.far)}; }
+
+Viewpoint viewpoint(const Scene& scene, double aspect) {
+  Viewpoint view = place(scene, aspect);
+  const auto [near, far] = planes_from(scene, view);
   double half_width, half_height;
-  half_sizes(camera, aspect, &half_width, &half_height);
+  half_sizes(scene.camera.value_or(Camera()), aspect, &half_width, &half_height);
   const glm::dmat4 to_eye = glm::lookAtRH(view.eye, view.eye + view.forward, view.up);
   if (view.orthographic) {
     view.to_clip = glm::orthoRH_ZO(-half_width, half_width, -half_height, half_height, near, far) * to_eye;

@@ -14,6 +14,11 @@ struct Viewpoint {
   bool orthographic;                   // then seen along `forward` from everywhere
   glm::dmat4 to_clip;                  // world to clip space, 0 <= z <= w
 
+  bool operator==(const Viewpoint& o) const {
+    return eye == o.eye && forward == o.forward && right == o.right && up == o.up && orthographic == o.orthographic && to_clip == o.to_clip;
+  }
+  bool operator!=(const Viewpoint& o) const { return !(*this == o); }
+
   glm::dvec3 to_viewer(const glm::dvec3& point) const {
     return orthographic ? -forward : glm::normalize(eye - point);
   }
@@ -21,6 +26,10 @@ struct Viewpoint {
 
 // The scene's camera, or one that frames the scene; `aspect` is width / height of the frame.
 Viewpoint viewpoint(const Scene&, double aspect);
+
+// The depth planes of that viewpoint, and those that hold two times of an animation.
+DepthPlanes depth_planes(const Scene&, double aspect);
+DepthPlanes joined(const DepthPlanes&, const DepthPlanes&);
 
 }  // namespace halfspace::ref
 

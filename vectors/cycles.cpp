@@ -25,6 +25,12 @@ struct SetupWork {
   int normalize;  // cycles to bring the leading one of D to the top
 };
 
+// Of the vertices as they come.
+std::int64_t twice_area(const ref::SnappedTriangle& t) {
+  return (std::int64_t(t.x[1]) - t.x[0]) * (std::int64_t(t.y[2]) - t.y[0]) -
+         (std::int64_t(t.y[1]) - t.y[0]) * (std::int64_t(t.x[2]) - t.x[0]);
+}
+
 // The box holds a pixel centre of 0 … size − 1.
 bool holds_centre(const std::array<std::int32_t, 3>& at, int f, int size) {
   const auto [low, high] = std::minmax_element(at.begin(), at.end());
@@ -32,11 +38,14 @@ bool holds_centre(const std::array<std::int32_t, 3>& at, int f, int size) {
   return std::max((*low + half - 1) >> f, 0) <= std::min((*high - half) >> f, size - 1);
 }
 
+SetupCycles cycles_of(bool outside, bool empty, const UnitIntervals& intervals) {
+  return {outside ? 3 : empty ? 7 : intervals.triangle_setup, empty ? 0 : intervals.shade_setup};
+}
+
 SetupWork setup_work(const Config& c, const ref::SnappedList& scene, const ref::SnappedTriangle& t) {
   SetupWork work{};
   work.outside = !holds_centre(t.x, c.subpixel_bits, scene.width) || !holds_centre(t.y, c.subpixel_bits, scene.height);
-  std::int64_t area = (std::int64_t(t.x[1]) - t.x[0]) * (std::int64_t(t.y[2]) - t.y[0]) -
-                      (std::int64_t(t.y[1]) - t.y[0]) * (std::int64_t(t.x[2]) - t.x[0]);
+  std::int64_t area = twice_area(t);
   work.empty = work.outside || area == 0;
   work.swapped = area < 0;
   if (work.swapped) area = -area;
@@ -171,6 +180,14 @@ UnitIntervals unit_intervals(const Config& c) {
   return {setup_interval(c), shades_planes(c) ? colours : 1};
 }
 
+SetupModel::SetupModel(const Config& c, int width, int height)
+    : subpixel_bits_(c.subpixel_bits), width_(width), height_(height), intervals_(unit_intervals(c)) {}
+
+SetupCycles SetupModel::cycles(const ref::SnappedTriangle& t) const {
+  const bool outside = !holds_centre(t.x, subpixel_bits_, width_) || !holds_centre(t.y, subpixel_bits_, height_);
+  return cycles_of(outside, outside || twice_area(t) == 0, intervals_);
+}
+
 Cycles model_cycles(const Config& config, Engine& engine, const ref::SnappedList& scene, const ref::Frame& frame,
                     int frames) {
   const UnitIntervals intervals = unit_intervals(config);
@@ -180,8 +197,9 @@ Cycles model_cycles(const Config& config, Engine& engine, const ref::SnappedList
   Cycles result;
   for (const ref::SnappedTriangle& t : scene.triangles) {
     const SetupWork& work = triangles.emplace_back(setup_work(config, scene, t));
-    result.triangle_setup += work.outside ? 3 : work.empty ? 7 : intervals.triangle_setup;
-    result.shade_setup += work.empty ? 0 : intervals.shade_setup;
+    const SetupCycles cycles = cycles_of(work.outside, work.empty, intervals);
+    result.triangle_setup += std::uint64_t(cycles.triangle_setup);
+    result.shade_setup += std::uint64_t(cycles.shade_setup);
   }
   for (const int count : visits) result.raster += std::max(count, 1);
   std::vector<int> tests(scene.triangles.size());

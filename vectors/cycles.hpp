@@ -26,6 +26,20 @@ struct UnitIntervals {
 };
 UnitIntervals unit_intervals(const Config&);
 
+// What a triangle takes of both setup units when nothing keeps it waiting.
+struct SetupCycles {
+  int triangle_setup, shade_setup;
+};
+class SetupModel {
+ public:
+  SetupModel(const Config&, int width, int height);
+  SetupCycles cycles(const ref::SnappedTriangle&) const;
+
+ private:
+  const int subpixel_bits_, width_, height_;
+  const UnitIntervals intervals_;
+};
+
 struct Cycles {
   std::uint64_t frame = 0;  // from the last pixel of a frame to the last of the next
   // What the units would take that had never to wait: the slowest of them, and a little, is a frame.

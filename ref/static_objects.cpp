@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ref/static_objects.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "ref/error.hpp"
+
+namespace halfspace::ref {
+namespace {
+
+bool same(const ObjectPixel& a, const ObjectPixel& b) { return a.key == b.key && a.triangle == b.triangle; }
+
+}  // namespace
+
+StaticObjects::StaticObjects(const Scene& scene, const RasterFormat& format, int width, int height, const StaticOptions& options)
+    : scene_(scene),
+      options_(options),
+      raster_(scene, format, width, height),
+      shader_(scene, format, raster_.view()),
+      static_(std::size_t(std::max(options.buffers, 0)), ObjectBuffer(width, height, full_depth(format.depth_bits))),
+      still_(width, height, full_depth(format.depth_bits)),
+      dynamic_(still_),
+      picture_(still_) {
+  if (options.buffers < 1) throw Error(fmt::format("{} S-buffers hold no object: take one at least", options.buffers));
+  for (const Instance& instance : scene.instances) objects_.push_back({instance.to_world, {}});
+  compose(still_.frame());
+}
+
+const FrameWork& StaticObjects::draw(const DrawSink& sink) {
+  work_ = {};
+  changed_ = {};
+  shader_.forget();
+  find_states();
+
+  std::vector<std::vector<Box>> holes(static_.size());
+  for (std::uint32_t n = 0; n < objects_.size(); ++n) {
+    if (objects_[n].is_static && objects_[n].state == ObjectState::kSD) leave(n, holes[buffer_of(n)]);
+  }
+  for (std::size_t k = 0; k < static_.size(); ++k) fill(int(k), holes[k], sink);
+
+  dynamic_.clear(moving_box_.cut(dynamic_.frame()));
+  moving_box_ = {};
+  for (std::uint32_t n = 0; n < objects_.size(); ++n) {
+    Object& object = objects_[n];
+    if (object.state == ObjectState::kSS) continue;
+    const bool stops = object.state == ObjectState::kDS;
+    if (sink) sink(n);
+    const Drawn drawn = raster_.draw(n, stops ? static_[buffer_of(n)] : dynamic_, dynamic_.frame());
+    work_.triangles += drawn.triangles;
+    object.is_static = stops;
+    object.box = drawn.box;
+    ++(stops ? work_.added : work_.moving);
+    (stops ? changed_ : moving_box_).add(drawn.box);
+  }
+  if (!changed_.empty()) compose(changed_);
+  merge();
+  return work_;
+}
+
+void StaticObjects::find_states() {
+  if (scene_.instances.size() != objects_.size()) {
+    throw Error(fmt::format("{}: {} objects in a frame and {} in the first: begin anew where objects come or go", scene_.name,
+                            scene_.instances.size(), objects_.size()));
+  }
+  const Viewpoint from = viewpoint(scene_, double(still_.width()) / still_.height());
+  work_.new_view = anew_ || from != raster_.viewpoint();
+  anew_ = false;
+  if (work_.new_view) {
+    raster_.look_from(from);
+    shader_.look_from(from);
+    for (ObjectBuffer& buffer : static_) buffer.clear(buffer.frame());
+    for (Object& object : objects_) object.is_static = false;
+    changed_ = still_.frame();
+  }
+  for (std::uint32_t n = 0; n < objects_.size(); ++n) {
+    Object& object = objects_[n];
+    const bool before = object.state == ObjectState::kDD || object.state == ObjectState::kSD;
+    object.state = object_state(before, work_.new_view || object.to_world != scene_.instances[n].to_world);
+    object.to_world = scene_.instances[n].to_world;
+    work_.started += !work_.new_view && object.state == ObjectState::kSD;
+  }
+}
+
+// Takes an object that starts to move out of its S-buffer. Pixels that have to be drawn again are put into `holes`.
+void StaticObjects::leave(std::uint32_t n, std::vector<Box>& holes) {
+  Object& object = objects_[n];
+  object.is_static = false;
+  ObjectBuffer& buffer = static_[buffer_of(n)];
+  if (options_.query) {
+    ++work_.queries;
+    if (options_.query(buffer, n + 1, object.box) == 0) {
+      ++work_.skipped;
+      return;
+    }
+  }
+  const Box erased = buffer.erase(n + 1, object.box);
+  const Box hole = options_.query ? erased : object.box;
+  if (!hole.empty()) holes.push_back(hole);
+}
+
+// Draws again what overlaps the holes of S-buffer k, an object once.
+void StaticObjects::fill(int k, const std::vector<Box>& holes, const DrawSink& sink) {
+  if (holes.empty()) return;
+  for (const Box& hole : holes) changed_.add(hole);
+  for (std::uint32_t n = std::uint32_t(k); n < objects_.size(); n += std::uint32_t(static_.size())) {
+    if (!objects_[n].is_static) continue;
+    Box region;
+    for (const Box& hole : holes) {
+      if (hole.meets(objects_[n].box)) region.add(hole.cut(objects_[n].box));
+    }
+    if (region.empty()) continue;
+    if (sink) sink(n);
+    work_.triangles += raster_.draw(n, static_[k], region).triangles;
+    ++work_.redrawn;
+  }
+}
+
+// The S-buffers merged. What shows the same triangle as before keeps its colour: an object that has moved in between was
+// erased in between.
+void StaticObjects::compose(const Box& box) {
+  for (int y = box.y0; y < box.y1; ++y) {
+    for (int x = box.x0; x < box.x1; ++x) {
+      const ObjectPixel* nearest = &static_[0].at(x, y);
+      for (std::size_t k = 1; k < static_.size(); ++k) {
+        if (static_[k].at(x, y).key < nearest->key) nearest = &static_[k].at(x, y);
+      }
+      ObjectPixel& pixel = still_.at(x, y);
+      if (work_.new_view || !same(pixel, *nearest)) pixel = *nearest;
+    }
+  }
+  if (!box.empty()) work_.composed += std::uint64_t(box.x1 - box.x0) * (box.y1 - box.y0);
+}
+
+// Pixels that the D-buffer does not reach keep the colour that they get here.
+void StaticObjects::merge() {
+  for (int y = 0; y < picture_.height(); ++y) {
+    for (int x = 0; x < picture_.width(); ++x) {
+      ObjectPixel& still = still_.at(x, y);
+      const ObjectPixel& moving = dynamic_.at(x, y);
+      ObjectPixel& pixel = picture_.at(x, y);
+      if (moving.key < still.key) {
+        pixel = moving;
+        shader_.shade(pixel, x, y);
+      } else {
+        shader_.shade(still, x, y);
+        pixel = still;
+      }
+    }
+  }
+}
+
+AllObjects::AllObjects(const Scene& scene, const RasterFormat& format, int width, int height)
+    : scene_(scene),
+      raster_(scene, format, width, height),
+      shader_(scene, format, raster_.view()),
+      picture_(width, height, full_depth(format.depth_bits)) {}
+
+const FrameWork& AllObjects::draw(const std::function<void(std::size_t done)>& progress) {
+  work_ = {};
+  const Viewpoint from = viewpoint(scene_, double(picture_.width()) / picture_.height());
+  raster_.look_from(from);
+  shader_.look_from(from);
+  picture_.clear(picture_.frame());
+  for (std::uint32_t n = 0; n < scene_.instances.size(); ++n) {
+    work_.triangles += raster_.draw(n, picture_, picture_.frame()).triangles;
+    ++work_.moving;
+    if (progress) progress(n + 1);
+  }
+  for (int y = 0; y < picture_.height(); ++y) {
+    for (int x = 0; x < picture_.width(); ++x) shader_.shade(picture_.at(x, y), x, y);
+  }
+  return work_;
+}
+
+}  // namespace halfspace::ref
