@@ -116,6 +116,7 @@ int main(int argc, char** argv) {
   halfspace::cli::add_sweep(app, status);
   halfspace::cli::add_frames(app, status);
   halfspace::cli::add_quality(app, status);
+  halfspace::cli::add_cost(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

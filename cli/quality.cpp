@@ -2,6 +2,8 @@
 // halfspace quality
 #include <fmt/format.h>
 
+#include <charconv>
+
 #include "cli/commands.hpp"
 #include "cli/sequence_quality.hpp"
 #include "ref/error.hpp"
@@ -11,7 +13,7 @@ namespace {
 
 struct Options {
   SequenceOptions sequence;
-  std::string plot, json;
+  std::string plot, json, vary;
 };
 
 void print(const char* method, const ref::Quality& q) {
@@ -43,6 +45,42 @@ void quality(const Options& options) {
   if (!options.plot.empty()) plot_blocks(q, options.sequence.scene, options.plot);
 }
 
+// "vector_fraction=1..6" as the values to set.
+std::vector<std::string> values_of(const std::string& text) {
+  const std::size_t sign = text.find('='), dots = text.find("..");
+  int first = 0, last = -1;
+  if (sign != std::string::npos && dots != std::string::npos && dots > sign) {
+    const char* const end = text.data() + text.size();
+    const auto a = std::from_chars(text.data() + sign + 1, text.data() + dots, first);
+    const auto b = std::from_chars(text.data() + dots + 2, end, last);
+    if (a.ec != std::errc() || b.ec != std::errc() || b.ptr != end || a.ptr != text.data() + dots || first < 0 || last > 40) last = -1;
+  }
+  if (last < first) throw ref::Error(fmt::format("--vary {}: write it like vector_fraction=1..6", text));
+  std::vector<std::string> values;
+  for (int value = first; value <= last; ++value) values.push_back(fmt::format("{}={}", text.substr(0, sign), value));
+  return values;
+}
+
+// What a number of the motion costs against the floating-point reference.
+void vary(const Options& options) {
+  SequenceOptions sequence = options.sequence;
+  sequence.engine = "ref";
+  const double reference = measure_sequence(sequence, false).compensated.psnr_y;
+  fmt::print("{}: PSNR_Y of the floating-point reference {:.2f} dB\n\n{:<24} {:>9} {:>9}\n", sequence.scene, reference, "kernels with", "dB", "lost");
+  Json rows = Json::array();
+  sequence.engine = "hls";
+  for (const std::string& value : values_of(options.vary)) {
+    sequence.set = options.sequence.set;
+    sequence.set.push_back(value);
+    const SequenceQuality q = measure_sequence(sequence, false);
+    fmt::print("{:<24} {:>9.2f} {:>9.2f}\n", value, q.compensated.psnr_y, reference - q.compensated.psnr_y);
+    Json row = {{"set", value}};
+    row.update(to_json(q));
+    rows.push_back(std::move(row));
+  }
+  write_json(options.json, {{"scene", sequence.scene}, {"reference_psnr_y_db", reference}, {"rows", rows}});
+}
+
 }  // namespace
 
 void add_quality(CLI::App& app, int&) {
@@ -54,7 +92,8 @@ void add_quality(CLI::App& app, int&) {
   command->footer("  halfspace quality cube_fast                                         the kernels\n"
                   "  halfspace quality cube_fast --engine ref --method straight --filter area --no-index-test   as the paper has it\n"
                   "PSNR_Y is 0.299 PSNR_R + 0.587 PSNR_G + 0.114 PSNR_B, 99 dB at most a channel.\n");
-  command->callback([options] { quality(*options); });
+  command->add_option("--vary", options->vary, "a number of the motion's configuration, like vector_fraction=1..6: what fewer bits cost");
+  command->callback([options] { options->vary.empty() ? quality(*options) : vary(*options); });
 }
 
 }  // namespace halfspace::cli

@@ -117,14 +117,33 @@ vectors::Configuration colour_configuration(const SequenceOptions& options, cons
   return vectors::Configuration("textured_" + chosen.name(), numbers);
 }
 
+// "weight_bits=4"
+void set_number(Config& config, const std::string& text) {
+  const std::size_t sign = text.find('=');
+  std::string known;
+  for (const vectors::ConfigField& field : vectors::motion_fields()) {
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", field.name);
+    if (sign == std::string::npos || text.compare(0, sign, field.name) != 0 || text.size() == sign + 1) continue;
+    if (text.find_first_not_of("0123456789", sign + 1) != std::string::npos || text.size() > sign + 7) break;
+    config.*field.value = std::stoi(text.substr(sign + 1));
+    return;
+  }
+  throw ref::Error(fmt::format("--set {}: no number of the motion: write it like weight_bits=4, of {}", text, known));
+}
+
 vectors::Configuration motion_of(const SequenceOptions& options, const FrameSize& size, const vectors::Configuration& colour) {
-  if (!options.motion.empty()) return vectors::find_configuration(options.motion);
+  if (!options.motion.empty()) {
+    Config numbers = vectors::find_configuration(options.motion).config();
+    for (const std::string& text : options.set) set_number(numbers, text);
+    return vectors::Configuration(numbers.name, numbers);
+  }
   Config numbers = vectors::default_motion(colour.config());
   if (!options.filter.empty()) vectors::set_choice(numbers, "filter", options.filter);
   if (!options.mapping.empty()) vectors::set_choice(numbers, "mapping", options.mapping);
   if (options.method == "straight") numbers.mapping = TextureMapping::kAffine;
   numbers.relight = options.relight && options.method == "exact" ? 1 : 0;
   numbers.samples = options.samples;
+  for (const std::string& text : options.set) set_number(numbers, text);
   return vectors::motion_configuration(colour, numbers, size.width * options.samples, size.height * options.samples);
 }
 
@@ -145,6 +164,7 @@ void add_sequence_options(CLI::App* command, SequenceOptions& o) {
       ->capture_default_str();
   command->add_option("--config", o.config, "of the frames: low, middle, high or a .toml file; default: middle, or high for a large frame");
   command->add_option("--motion", o.motion, "of the motion: a .toml file with shading = \"motion\"; default: made for --config");
+  command->add_option("--set", o.set, "a number of the motion's configuration, like weight_bits=4");
   command->add_option("--size", o.size, "frame, WxH")->capture_default_str();
   command->add_option("--first", o.first, "first frame of the animation")->capture_default_str()->check(CLI::NonNegativeNumber);
   command->add_option("--frames", o.frames, "how many; default: to the end of the animation")->check(CLI::PositiveNumber);

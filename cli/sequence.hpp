@@ -24,6 +24,7 @@ struct SequenceOptions {
   int samples = 1, first = 0, frames = 0;  // frames 0: to the end of the animation
   bool relight = true, half = false, index_test = true, surfaces = false;
   double psnr = 45;  // of --keys auto
+  std::vector<std::string> set;  // "weight_bits=4": of the motion's configuration
 };
 
 void add_sequence_options(CLI::App* command, SequenceOptions& options);

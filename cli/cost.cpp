@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+// halfspace cost
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "cli/commands.hpp"
+#include "cli/sequence.hpp"
+#include "ref/error.hpp"
+#include "vectors/cycles.hpp"
+#include "vectors/up_convert.hpp"
+
+namespace halfspace::cli {
+namespace {
+
+struct Options {
+  std::string scene, config = "middle", size = "320x240", json;
+  int first = 0, lanes = 4, lights = 4;
+};
+
+// What a frame takes, by the units that each way to make it has.
+struct Cost {
+  const char* name;
+  bool made;                    // of key frames; else rendered
+  double cycles = 0;            // of the slowest unit
+  const char* slowest = "";
+  double multiplications = 0;   // a covered pixel of the frame
+  double bytes = 0;             // likewise, to and from memory outside
+};
+
+// What the renderer's units would take for themselves, of a frame of which triangles and pixels are at hand.
+struct FrontEnd {
+  vectors::Cycles cycles;
+  double pixels = 0;       // covered
+  double pixel_scan = 0;   // cycles of a unit that takes a covered pixel at a time, and one for a stamp of background
+};
+
+FrontEnd front_end(const vectors::Configuration& configuration, const ref::Scene& scene, const ref::View& view, int lanes) {
+  const auto engine = vectors::make_engine(configuration, lanes);
+  const ref::SnappedList list = ref::snap(ref::project(scene, view), vectors::raster_format(configuration));
+  const ref::Frame frame = engine->render(list);
+  FrontEnd out{vectors::model_cycles(configuration.config(), *engine, list, frame)};
+  for (int y = 0; y < frame.height; y += engine->lanes_y()) {
+    for (int x = 0; x < frame.width; x += engine->lanes_x()) {
+      int covered = 0;
+      for (int l = 0; l < lanes; ++l) {
+        const int column = x + l % engine->lanes_x(), row = y + l / engine->lanes_x();
+        if (column < frame.width && row < frame.height) covered += frame.index[std::size_t(row) * frame.width + column] != 0;
+      }
+      out.pixels += covered;
+      out.pixel_scan += std::max(covered, 1);
+    }
+  }
+  return out;
+}
+
+void take(Cost& cost, const char* unit, double cycles) {
+  if (cycles > cost.cycles) cost.cycles = cycles, cost.slowest = unit;
+}
+
+void take_front(Cost& cost, const FrontEnd& front) {
+  take(cost, "triangle_setup", double(front.cycles.triangle_setup));
+  take(cost, "plane setup", double(front.cycles.shade_setup));
+  take(cost, "raster_pineda", double(front.cycles.raster));
+}
+
+// A frame as it is rendered, `samples` squared times the pixels of the picture. Multiplications are those of a pixel that goes
+// through the units at one a cycle: six of the Gouraud planes; six of the coordinates, four of perspective, nine of the bilinear
+// filter and the product; six of the normals and, for each light, those of hs_lighting with highlights. A texture is fetched from
+// outside, four texels of 3 bytes; the picture is written.
+Cost rendered(const char* name, const FrontEnd& front, double picture_pixels, bool textured, int lights) {
+  Cost cost{name, false};
+  take_front(cost, front);
+  take(cost, "shade_gouraud", double(front.cycles.scan_out));
+  cost.multiplications = 6;
+  cost.bytes = 3 * picture_pixels;
+  if (textured) {
+    take(cost, "shade_texture", front.pixel_scan);
+    cost.multiplications += 6 + 3 + 9 + 3;
+    cost.bytes += 12 * front.pixels;
+  }
+  if (lights != 0) {
+    take(cost, "shade_phong", front.pixel_scan + front.pixels * (lights - 1));
+    cost.multiplications = 6 + 18 * lights;
+  }
+  cost.multiplications *= front.pixels / picture_pixels;
+  cost.bytes /= picture_pixels;
+  return cost;
+}
+
+// A frame made of two keys. Multiplications: two a plane, three of perspective a key; of each key's filter three or, bicubic,
+// fifteen a channel; one a channel and key of the blend. A word of motion is written and read, tiles are fetched, the picture is
+// written.
+Cost made(const char* name, const FrontEnd& front, double picture_pixels, const vectors::KernelFrameBetween& between, const Config& motion) {
+  Cost cost{name, true};
+  take_front(cost, front);
+  take(cost, "motion_field", front.pixel_scan);
+  take(cost, "motion_compensate", double(between.cycles));
+  const double planes = (has_perspective(motion) ? 3 : 2) + (relights(motion) ? 3 : 0);
+  const double filter = motion.filter == KeyFilter::kNearest ? 0 : motion.filter == KeyFilter::kBicubic ? 15 : 3;
+  cost.multiplications = double(between.words) * 2 * (2 * planes + (has_perspective(motion) ? 3 : 0) + 3 * filter + 3) / picture_pixels;
+  const double word = 3 + motion.face_bits + 20 + 2 * (1 + 2 * (motion.vector_range + 1 + motion.vector_fraction) +
+                                                       (relights(motion) ? 3 * (motion.colour_bits + 1) : 0));
+  const double tiles = 64 * double(between.misses[0] + between.misses[1]) * vectors::key_pixel_bits(motion) / 8;
+  cost.bytes = (double(between.words) * 2 * word / 8 + tiles) / picture_pixels + 3;
+  return cost;
+}
+
+void cost(const Options& options) {
+  const FrameSize size = parse_size(options.size);
+  const auto scene_at = [&](int n) { return ref::load_scene(options.scene, double(options.first + n) / kFramesASecond); };
+  const ref::Scene first = scene_at(0), between = scene_at(2), second = scene_at(5);
+  if (first.duration <= 0) throw ref::Error(fmt::format("{}: nothing moves in it: take an animated scene", options.scene));
+
+  Json json = {{"scene", options.scene}, {"width", size.width}, {"height", size.height}, {"rows", Json::array()}};
+  fmt::print("{} {}: a frame between two keys five apart, rendered and made of them; {} lanes, {} lights\n\n"
+             "{:<34} {:>10}  {:<18} {:>9} {:>9} {:>9}\n", options.scene, options.size, options.lanes, options.lights, "", "cycles",
+             "slowest unit", "MUL/pixel", "B/pixel", "of cycles");
+  for (const int samples : {1, 4}) {
+    const vectors::Configuration named = vectors::find_configuration(samples == 1 ? options.config : "high");
+    const int scale = samples;
+    const ref::View view{size.width * scale, size.height * scale, named.config().range_bits, named.config().subpixel_bits};
+    const FrontEnd front = front_end(named, between, view, options.lanes);
+    const double picture_pixels = front.pixels / (samples * samples);
+    Config numbers = vectors::default_motion(named.config());
+    numbers.samples = samples;
+    const vectors::Configuration motion = vectors::motion_configuration(named, numbers, view.width, view.height);
+    vectors::KernelUpConverter converter({size.width, size.height, named, motion});
+    converter.set_keys(first, second);
+    const Cost up = made(samples == 1 ? "made of key frames" : "made, 4x4 samples", front, picture_pixels, converter.at(between, 0.4), motion.config());
+    const bool one = samples == 1;
+    const Cost rows[] = {rendered(one ? "rendered, Gouraud" : "rendered, 4x4 samples, Gouraud", front, picture_pixels, false, 0),
+                         rendered(one ? "rendered, texture" : "rendered, 4x4 samples, texture", front, picture_pixels, true, 0),
+                         rendered(one ? "rendered, Phong" : "rendered, 4x4 samples, Phong", front, picture_pixels, false, options.lights), up};
+    for (const Cost& row : rows) {
+      fmt::print("{:<34} {:>10.0f}  {:<18} {:>9.1f} {:>9.1f} {:>8.0f}%\n", row.name, row.cycles, row.slowest, row.multiplications, row.bytes,
+                 100 * up.cycles / row.cycles);
+      json["rows"].push_back({{"name", row.name}, {"samples", samples}, {"made", row.made}, {"cycles", row.cycles}, {"slowest", row.slowest},
+                              {"multiplications_a_pixel", row.multiplications}, {"bytes_a_pixel", row.bytes},
+                              {"made_of_this", up.cycles / row.cycles}});
+    }
+  }
+  fmt::print("\nA pixel is a covered one of the picture. The last column: cycles of the made frame, of this one's.\n");
+  write_json(options.json, json);
+}
+
+}  // namespace
+
+void add_cost(CLI::App& app, int&) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("cost", "what a frame between key frames costs against rendering it, by shading");
+  command->add_option("SCENE", options->scene, "an animated scene (" + builtin_names() + ") or a mesh file with an animation")->required();
+  command->add_option("--config", options->config, "of the frames")->capture_default_str();
+  command->add_option("--size", options->size, "frame, WxH")->capture_default_str();
+  command->add_option("--first", options->first, "number of the first key frame")->capture_default_str()->check(CLI::NonNegativeNumber);
+  command->add_option("--lanes", options->lanes, "pixels a stamp: 1, 2, 4, 8, 16")->capture_default_str();
+  command->add_option("--lights", options->lights, "of Phong shading, 1 to 4")->capture_default_str()->check(CLI::Range(1, 4));
+  command->add_option("--json", options->json, "file for the numbers");
+  command->callback([options] { cost(*options); });
+}
+
+}  // namespace halfspace::cli
