@@ -13,6 +13,22 @@ glm::dvec3 mean(const Texture& texture) {
   return sum / (255.0 * double(texture.texels.size()));
 }
 
+// Where it is in the frame of `geometry`: the side of a two-sided face that is seen there.
+Origin seen_in(const Geometry& geometry, Origin origin) {
+  const Scene& scene = geometry.scene();
+  const Instance& instance = scene.instances[origin.instance];
+  const Mesh& mesh = scene.meshes[instance.mesh];
+  if (!scene.materials[mesh.material].two_sided) return origin;
+  glm::dmat3 corners;  // x, y, w: the sign of its determinant is that of the area, in front of the viewer and behind
+  for (int v = 0; v < 3; ++v) {
+    const glm::dvec4 clip =
+        geometry.viewpoint().to_clip * (instance.to_world * glm::dvec4(mesh.positions[origin.corner[v]], 1));
+    corners[v] = {clip.x, clip.y, clip.w};
+  }
+  origin.back = glm::determinant(corners) <= 0;
+  return origin;
+}
+
 }  // namespace
 
 LightChange light_change(Geometry& between, Geometry& key, int colour_bits, bool textured) {
@@ -23,7 +39,7 @@ LightChange light_change(Geometry& between, Geometry& key, int colour_bits, bool
   };
   LightChange change;
   for (std::size_t k = 0; k < between.origins().size(); ++k) {
-    const auto here = between.colours(k), there = key.colours(between.origins()[k]);
+    const auto here = between.colours(k), there = key.colours(seen_in(key, between.origins()[k]));
     const int texture = textured ? between.texture(k) : -1;
     auto& of_vertex = change.emplace_back();
     for (int v = 0; v < 3; ++v) {

@@ -83,6 +83,15 @@ TEST(Fetch, BilinearMovesTheWeightOfWhatDoesNotMatch) {
                    10 * 0.28125 + 20 * 0.15625 + 30 * 0.46875);
 }
 
+TEST(Fetch, TiesGoRightDownAndAlongX) {
+  const auto at = [](double x, double y, int other_x, int other_y) {
+    return red(counted(2, 2, {{other_x, other_y}}), x, y, Filter::kBilinear);  // 0 10 / 20 30
+  };
+  EXPECT_DOUBLE_EQ(at(1, 0.75, 0, 1), 10 * (0.375 + 0.125) + 30 * 0.125);
+  EXPECT_DOUBLE_EQ(at(0.75, 1, 1, 0), 20 * (0.375 + 0.125) + 30 * 0.125);
+  EXPECT_DOUBLE_EQ(at(1.25, 1.25, 1, 1), 10 * 0.1875 + 20 * (0.1875 + 0.5625));
+}
+
 TEST(Fetch, BilinearAtTheSideOfTheFrame) {
   const KeyFrame key = counted(2, 2);
   EXPECT_DOUBLE_EQ(red(key, 0.25, 0.5, Filter::kBilinear), 0);     // the tap outside gives its weight away
@@ -398,6 +407,29 @@ TEST(Relight, ByPlanesIsWithinTheRoundings) {
   EXPECT_LE(largest_difference(lit.colour, lit.rendered), 1);  // half a step at the keys, half at the end
   mode.method = MotionMethod::kStraight;
   EXPECT_THROW(between(scene, 0.4, mode), Error);
+}
+
+// A leaf that shows its other side after the turn: dark in front of the light, light behind it.
+TEST(Relight, OfTheSideThatTheKeyShows) {
+  const At scene = [](double a) {
+    Scene scene = squares({{60, 40, 40, 40}});
+    scene.materials[0] = Material{};
+    scene.materials[0].two_sided = true;
+    scene.lights = {Light{}};
+    scene.lights[0].direction = glm::dvec3(0.8, 0, -0.6);
+    for (glm::dvec3& p : scene.meshes[0].positions) p -= glm::dvec3(20, -20, 0);
+    for (glm::dvec3& n : scene.meshes[0].normals) n = glm::normalize(glm::dvec3(0.3, 0.4, 1));
+    const glm::dmat4 place = glm::translate(glm::dmat4(1), glm::dvec3(80, -60, 0));
+    scene.instances[0].to_world = glm::rotate(place, a < 0.5 ? 0.0 : 2.6, glm::dvec3(0, 1, 0));
+    return scene;
+  };
+  UpConversion mode = with(Filter::kBilinear);
+  mode.relight = true, mode.compensation.use[1] = false;
+  const FrameBetween made = between(scene, 0.5, mode);
+  EXPECT_GT(made.shares.copied, 1000u);
+  EXPECT_LE(largest_difference(made.colour, made.rendered), 2);
+  mode.relight = false;
+  EXPECT_GT(largest_difference(between(scene, 0.5, mode).colour, made.rendered), 20);
 }
 
 // Exact for a texture of one colour, which is its mean.
