@@ -63,7 +63,7 @@ module hs_shade_gouraud #(
   logic [Stages-1:0] valid_q, first_q, last_q;
   logic [Stages*Lanes-1:0] lanes_q;
   logic [Stages*HeadBits-1:0] heads_q;
-  hs_formats_pkg::scan_head_t merge_head;
+  logic [HeadBits-1:0] merge_head;
   logic read_bank_q;
   logic [EntryBits-1:0] read_entry_q;
   logic [3*Lanes*ColourBits-1:0] colour;
@@ -172,11 +172,7 @@ module hs_shade_gouraud #(
   end
 
   always_ff @(posedge clk_i) begin
-    if (go && valid_q[Stages-1]) begin
-      pixel_head_q.last <= merge_head.last;
-      pixel_head_q.x <= merge_head.x;
-      pixel_head_q.y <= merge_head.y;
-    end
+    if (go && valid_q[Stages-1]) pixel_head_q <= merge_head;
   end
 
   assign pixel_valid_o = pixel_valid_q;

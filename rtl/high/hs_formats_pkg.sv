@@ -33,6 +33,7 @@ package hs_formats_pkg;
   localparam int unsigned OrderBits = 0;
   localparam int unsigned ColourFraction = 18;
   localparam int unsigned ColourPlaneBits = 26;
+  localparam int unsigned PlanesWordBits = 255;
   localparam int unsigned Deferred = 0;
   localparam int unsigned Lights = 0;
   localparam int unsigned LightWordBits = 1;

@@ -33,6 +33,7 @@ package hs_formats_pkg;
   localparam int unsigned OrderBits = 0;
   localparam int unsigned ColourFraction = 14;
   localparam int unsigned ColourPlaneBits = 22;
+  localparam int unsigned PlanesWordBits = 213;
   localparam int unsigned Deferred = 0;
   localparam int unsigned Lights = 0;
   localparam int unsigned LightWordBits = 1;
