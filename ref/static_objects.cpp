@@ -24,6 +24,10 @@ StaticObjects::StaticObjects(const Scene& scene, const RasterFormat& format, int
       dynamic_(still_),
       picture_(still_) {
   if (options.buffers < 1) throw Error(fmt::format("{} S-buffers hold no object: take one at least", options.buffers));
+  if (scene.instances.size() >= std::uint64_t(1) << options.object_bits) {
+    throw Error(fmt::format("{}: {} objects, and {} bits number {}: take more bits", scene.name, scene.instances.size(),
+                            options.object_bits, (std::uint64_t(1) << options.object_bits) - 1));
+  }
   for (const Instance& instance : scene.instances) objects_.push_back({instance.to_world, {}});
   compose(still_.frame());
 }

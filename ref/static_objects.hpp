@@ -28,7 +28,8 @@ inline std::uint64_t visible_pixels(const ObjectBuffer& buffer, std::uint32_t ob
 }
 
 struct StaticOptions {
-  int buffers = 1;  // S-buffers; instance n is in number n mod buffers while it stands still
+  int buffers = 1;       // S-buffers; instance n is in number n mod buffers while it stands still
+  int object_bits = 32;  // of the number of an object in a pixel; 0 is the background
   // Asked for an object that starts to move; 0: its S-buffer stays as it is. Without a query each update is done, in the whole
   // box of the object; with it in the box of the pixels that are seen.
   OcclusionQuery query;
@@ -50,7 +51,8 @@ using DrawSink = std::function<void(std::uint32_t instance)>;
 class StaticObjects {
  public:
   // The scene as it stands in the frame before the first; it outlives this, and its instances move between two frames. In that
-  // frame all objects are dynamic. Error for less than one S-buffer, and for a format without depth.
+  // frame all objects are dynamic. Error for less than one S-buffer, for more objects than there
+  // are numbers, and for a format without depth.
   StaticObjects(const Scene&, const RasterFormat&, int width, int height, const StaticOptions&);
 
   // The scene as it stands now, from where it is looked at now.

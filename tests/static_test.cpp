@@ -134,6 +134,13 @@ bool same_objects(const ObjectBuffer& a, const ObjectBuffer& b) {
   return true;
 }
 
+StaticOptions options_of(int buffers, OcclusionQuery query) {
+  StaticOptions options;
+  options.buffers = buffers;
+  options.query = std::move(query);
+  return options;
+}
+
 // Moves the viewer now and then for some frames, and dims the light.
 void move_viewer(Scene& scene, Motion& motion, int frame, int& view_until) {
   if (motion.below(50) == 0) view_until = frame + 1 + motion.below(4);
@@ -161,7 +168,7 @@ TEST(StaticObjects, EachFrameIsThatOfDrawingEverything) {
     for (int n = 0; n < kObjects; ++n) scene.instances[n].to_world = motion.place();
     std::vector<StaticObjects> ours;
     for (const Case& c : kCases)
-      ours.emplace_back(scene, format, kWidth, kHeight, StaticOptions{c.buffers, c.query ? visible_pixels : OcclusionQuery()});
+      ours.emplace_back(scene, format, kWidth, kHeight, options_of(c.buffers, c.query ? visible_pixels : OcclusionQuery()));
     int view_until = 0;
     for (int frame = 0; frame < kFrames / 2; ++frame) {
       motion.step(scene);
@@ -215,7 +222,7 @@ TEST(StaticObjects, QuerySkipsWhatIsNotNeededAndNothingElse) {
       answers.emplace_back(object, count == 0);
       return count;
     };
-    StaticObjects ours(scene, format, kWidth, kHeight, {buffers, query});
+    StaticObjects ours(scene, format, kWidth, kHeight, options_of(buffers, query));
     std::uint64_t needed = 0, unneeded = 0, skipped = 0;
     ours.draw();
     for (int frame = 0; frame < 2000; ++frame) {
@@ -250,7 +257,7 @@ int wrong_frames(int buffers, const std::function<OcclusionQuery(const StaticObj
   Motion motion(5);
   for (int n = 0; n < kObjects; ++n) scene.instances[n].to_world = motion.place();
   const StaticObjects* asked = nullptr;
-  StaticObjects ours(scene, format, kWidth, kHeight, {buffers, broken(asked)});
+  StaticObjects ours(scene, format, kWidth, kHeight, options_of(buffers, broken(asked)));
   asked = &ours;
   int wrong = 0;
   for (int frame = 0; frame < 300; ++frame) {
@@ -290,7 +297,7 @@ TEST(StaticObjects, DrawWhatMovesAndNothingElse) {
   Motion motion(1);
   for (int n = 0; n < kObjects; ++n) scene.instances[n].to_world = motion.place();
   const std::uint64_t all = scene.instances.size();
-  StaticObjects ours(scene, format, kWidth, kHeight, {1, visible_pixels});
+  StaticObjects ours(scene, format, kWidth, kHeight, options_of(1, visible_pixels));
   scene.instances[2].to_world = motion.place();
   FrameWork work = ours.draw();
   EXPECT_EQ(work.moving, 1u);
@@ -318,6 +325,42 @@ TEST(StaticObjects, DrawWhatMovesAndNothingElse) {
   EXPECT_EQ(work.moving, 0u);
   EXPECT_EQ(work.added, all);
   EXPECT_EQ(ours.draw().drawn(), 0u);
+}
+
+// More triangles than there are indices are drawn in passes, wherever these begin: the merge, a pass after the other, gives the
+// whole, with the first pass where keys are equal.
+TEST(ObjectBuffer, PassesMergeToTheWhole) {
+  const RasterFormat format = format_of(5);
+  Scene scene = small_scene();
+  Motion motion(3);
+  for (int run = 0; run < 50; ++run) {
+    for (int n = 0; n < kObjects; ++n) scene.instances[n].to_world = motion.place();
+    AllObjects all(scene, format, kWidth, kHeight);
+    all.draw();
+    const int indices = 1 + motion.below(20);
+    ObjectRaster raster(scene, format, kWidth, kHeight);
+    ObjectBuffer merged(kWidth, kHeight, full_depth(format.depth_bits)), pass = merged;
+    int used = 0;
+    const auto finish = [&] {
+      for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+          if (pass.at(x, y).key < merged.at(x, y).key) merged.at(x, y) = pass.at(x, y);
+        }
+      }
+      pass.clear(pass.frame());
+      used = 0;
+    };
+    for (std::uint32_t n = 0; n < scene.instances.size(); ++n) {
+      std::uint32_t last = ~0u;
+      raster.fragments(n, merged.frame(), [&](int x, int y, std::uint32_t depth, std::uint32_t triangle) {
+        if (triangle != last && used++ == indices) finish();
+        last = triangle;
+        pass.test(x, y, object_key(depth, n + 1), triangle);
+      });
+    }
+    finish();
+    ASSERT_TRUE(same_objects(merged, all.picture()));
+  }
 }
 
 // --- what is drawn, and the planes of depth ---
@@ -378,8 +421,12 @@ TEST(DepthPlanes, HoldOverTheTimesOfAnAnimation) {
 TEST(StaticObjects, RefuseWhatTheyCannotDo) {
   Scene scene = small_scene();
   EXPECT_THROW(StaticObjects(scene, format_of(0), kWidth, kHeight, {}), Error);
-  EXPECT_THROW(StaticObjects(scene, format_of(24), kWidth, kHeight, {0, {}}), Error);
-  StaticObjects ours(scene, format_of(24), kWidth, kHeight, {});
+  EXPECT_THROW(StaticObjects(scene, format_of(24), kWidth, kHeight, options_of(0, {})), Error);
+  StaticOptions few_bits;
+  few_bits.object_bits = 4;  // 15 objects, and there are 17
+  EXPECT_THROW(StaticObjects(scene, format_of(24), kWidth, kHeight, few_bits), Error);
+  few_bits.object_bits = 5;
+  StaticObjects ours(scene, format_of(24), kWidth, kHeight, few_bits);
   scene.instances.pop_back();
   EXPECT_THROW(ours.draw(), Error);
 }

@@ -68,7 +68,8 @@ class Experiment {
     runs_.reserve(kStaticMethods - 1);
     for (const StaticMethod method : {StaticMethod::kNoQuery, StaticMethod::kQuery, StaticMethod::kQueryMany}) {
       Run* const run = runs_.data() + runs_.size();  // where it will stand
-      ref::StaticOptions options{method == StaticMethod::kQueryMany ? o.buffers : 1, {}};
+      ref::StaticOptions options;
+      if (method == StaticMethod::kQueryMany) options.buffers = o.buffers;
       if (method != StaticMethod::kNoQuery) {
         options.query = [run](const ref::ObjectBuffer& buffer, std::uint32_t object, const ref::Box& box) {
           run->queried.push_back(object - 1);

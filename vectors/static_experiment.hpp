@@ -33,8 +33,8 @@ struct StaticExperimentOptions {
   std::string config = "middle";
   int lanes = 4, width = 640, height = 480;
   int buffers = 7;                          // of the last method
-  int frames = 200;                         // of each number of moving objects, after one that is not counted
-  int full_frames = 3;                      // of those, at the end, that are drawn as a whole as well, and compared
+  int frames = 150;                         // of each number of moving objects, after one that is not counted
+  int full_frames = 2;                      // of those, at the end, that are drawn as a whole as well, and compared
   std::vector<int> moving{10, 40, 80, 120};
 };
 
