@@ -69,9 +69,9 @@ using ExperimentProgress = std::function<void(const char* phase, std::size_t don
 
 // Throws ref::Error when a picture differs from that of drawing everything.
 //
-// Cycles of a frame: the slowest of triangle setup, shade setup and merge, without waits: the two over the objects drawn, the first also
-// over those that a query draws; the merge takes a stamp a cycle for each S-buffer. The rasterizer takes fewer than the setup: of
-// triangles of a pixel about one stamp each.
+// Cycles of a frame: the slowest of triangle setup, shade setup and merge, without waits: the two over the objects
+// drawn, the first also over those that a query draws; the merge takes a stamp a cycle for each S-buffer. The
+// rasterizer takes fewer than the setup: of triangles of a pixel about one stamp each.
 StaticExperiment run_static_experiment(const StaticExperimentOptions&, const ExperimentProgress&);
 
 }  // namespace halfspace::vectors
