@@ -55,10 +55,22 @@ double largest_memory_mb() {
 
 Json all_json(const Options& o, const vectors::StaticExperiment& e) {
   const auto& x = o.experiment;
-  Json json = {{"paper", "static objects buffer"}, {"seed", x.crowd.seed}, {"objects", x.crowd.objects}, {"layers", x.crowd.layers},
-               {"interval", x.crowd.interval}, {"config", x.config}, {"lanes", x.lanes}, {"width", x.width}, {"height", x.height},
-               {"buffers", x.buffers}, {"triangles", e.triangles}, {"handed", e.handed}, {"compared_pixels", e.compared},
-               {"first_frame_seconds", e.first_seconds[1]}, {"memory_mb", largest_memory_mb()}, {"steps", Json::array()}};
+  Json json = {{"paper", "static objects buffer"},
+               {"seed", x.crowd.seed},
+               {"objects", x.crowd.objects},
+               {"layers", x.crowd.layers},
+               {"interval", x.crowd.interval},
+               {"config", x.config},
+               {"lanes", x.lanes},
+               {"width", x.width},
+               {"height", x.height},
+               {"buffers", x.buffers},
+               {"triangles", e.triangles},
+               {"handed", e.handed},
+               {"compared_pixels", e.compared},
+               {"first_frame_seconds", e.first_seconds[1]},
+               {"memory_mb", largest_memory_mb()},
+               {"steps", Json::array()}};
   for (const vectors::StaticStep& step : e.steps) {
     Json row = {{"moving", step.moving}};
     for (std::size_t m = 0; m < vectors::kStaticMethods; ++m) row[kMethods[m].key] = to_json(step.methods[m]);
@@ -69,32 +81,37 @@ Json all_json(const Options& o, const vectors::StaticExperiment& e) {
 
 void print(const Options& o, const vectors::StaticExperiment& e) {
   const auto& x = o.experiment;
-  fmt::print("{} objects, {} triangles, {} of them handed over in the first frame, which takes {:.1f} s; {}x{} in {}, {} lanes; seed {}\n"
-             "Mean and standard deviation of {} frames, of {} where everything is drawn. The paper, 120 moving: 460 objects drawn a frame\n"
-             "without the query, 130 with it and 7 S-buffers.\n\n"
-             "{:>6} {:<20} {:>9} {:>9} {:>8} {:>8} {:>8} {:>10} {:>9} {:>9} {:>10} {:>9}\n", x.crowd.objects, e.triangles, e.handed,
-             e.first_seconds[1], x.width, x.height, x.config, x.lanes, x.crowd.seed, x.frames, x.full_frames, "moving", "method", "objects",
-             "+-", "most", "starts", "updates", "Mtriangles", "Mcycles", "+-", "ms", "+-");
+  fmt::print(
+      "{} objects, {} triangles, {} of them handed over in the first frame, which takes {:.1f} s; {}x{} in {}, {} "
+      "lanes; seed {}\n"
+      "Mean and standard deviation of {} frames, of {} where everything is drawn. The paper, 120 moving: 460 objects "
+      "drawn a frame\n"
+      "without the query, 130 with it and 7 S-buffers.\n\n"
+      "{:>6} {:<20} {:>9} {:>9} {:>8} {:>8} {:>8} {:>10} {:>9} {:>9} {:>10} {:>9}\n",
+      x.crowd.objects, e.triangles, e.handed, e.first_seconds[1], x.width, x.height, x.config, x.lanes, x.crowd.seed,
+      x.frames, x.full_frames, "moving", "method", "objects", "+-", "most", "starts", "updates", "Mtriangles",
+      "Mcycles", "+-", "ms", "+-");
   for (const vectors::StaticStep& step : e.steps) {
     for (std::size_t m = 0; m < vectors::kStaticMethods; ++m) {
       const MethodFrames& f = step.methods[m];
       if (f.drawn.count() == 0) continue;
-      fmt::print("{:>6} {:<20} {:>9.1f} {:>9.1f} {:>8.0f} {:>8} {:>8} {:>10.3f} {:>9.2f} {:>9.2f} {:>10.1f} {:>9.1f}\n", step.moving,
-                 method_text(m, x.buffers), f.drawn.mean(), f.drawn.deviation(), f.drawn.largest(), f.starts, f.updates,
-                 f.triangles.mean() / 1e6, f.cycles.mean() / 1e6, f.cycles.deviation() / 1e6, f.milliseconds.mean(),
-                 f.milliseconds.deviation());
+      fmt::print("{:>6} {:<20} {:>9.1f} {:>9.1f} {:>8.0f} {:>8} {:>8} {:>10.3f} {:>9.2f} {:>9.2f} {:>10.1f} {:>9.1f}\n",
+                 step.moving, method_text(m, x.buffers), f.drawn.mean(), f.drawn.deviation(), f.drawn.largest(),
+                 f.starts, f.updates, f.triangles.mean() / 1e6, f.cycles.mean() / 1e6, f.cycles.deviation() / 1e6,
+                 f.milliseconds.mean(), f.milliseconds.deviation());
     }
   }
-  fmt::print("\n{} pixels compared with those of drawing everything, none differs. {:.0f} MB of memory at most.\n", e.compared,
-             largest_memory_mb());
+  fmt::print("\n{} pixels compared with those of drawing everything, none differs. {:.0f} MB of memory at most.\n",
+             e.compared, largest_memory_mb());
 }
 
 // Objects drawn a frame and the deviation of cycles, by the number that moves.
 std::string plot(const Json& json, const std::string& folder) {
   const std::string picture = (fs::path(folder) / "static_objects.png").string();
-  std::string script = fmt::format("set terminal pngcairo size 1100,420 font 'sans,11' background rgb 'white'\nset output {}\n"
-                                   "set grid lt 1 lw 0.5 lc rgb '#cccccc'\nset key left top\nset xlabel 'objects that move'\n",
-                                   gnuplot_quoted(picture));
+  std::string script = fmt::format(
+      "set terminal pngcairo size 1100,420 font 'sans,11' background rgb 'white'\nset output {}\n"
+      "set grid lt 1 lw 0.5 lc rgb '#cccccc'\nset key left top\nset xlabel 'objects that move'\n",
+      gnuplot_quoted(picture));
   for (std::size_t m = 1; m < vectors::kStaticMethods; ++m) {
     script += fmt::format("$m{} << EOD\n", m);
     for (const Json& row : json["steps"]) {
@@ -106,10 +123,11 @@ std::string plot(const Json& json, const std::string& folder) {
   }
   script += "set multiplot layout 1,2\n";
   for (int column : {2, 3}) {
-    script += column == 2 ? "set title 'objects drawn a frame'\nplot" : "set title 'cycles of a frame: standard deviation, millions'\nplot";
+    script += column == 2 ? "set title 'objects drawn a frame'\nplot"
+                          : "set title 'cycles of a frame: standard deviation, millions'\nplot";
     for (std::size_t m = 1; m < vectors::kStaticMethods; ++m) {
-      script += fmt::format("{} $m{} using 1:{} with linespoints lw 2 pt 7 lc rgb '{}' title {}", m == 1 ? "" : ",", m, column,
-                            kMethods[m].colour, gnuplot_quoted(method_text(m, json["buffers"].get<int>())));
+      script += fmt::format("{} $m{} using 1:{} with linespoints lw 2 pt 7 lc rgb '{}' title {}", m == 1 ? "" : ",", m,
+                            column, kMethods[m].colour, gnuplot_quoted(method_text(m, json["buffers"].get<int>())));
     }
     script += "\n";
   }
@@ -142,7 +160,8 @@ void run(const Options& options) {
   print(options, result);
   const Json json = all_json(options, result);
   write_json(options.json, json);
-  if (!options.out.empty()) fmt::print("{}\n{}\n", plot(json, options.out), write_last_picture(result.picture, options.out));
+  if (!options.out.empty())
+    fmt::print("{}\n{}\n", plot(json, options.out), write_last_picture(result.picture, options.out));
 }
 
 }  // namespace
@@ -154,7 +173,8 @@ void add_repro_static(CLI::App& repro) {
   paper->add_option("--objects", x.crowd.objects, "of 4,512 triangles each")->capture_default_str();
   paper->add_option("--moving", x.moving, "objects that move, each number in turn")->capture_default_str();
   paper->add_option("--frames", x.frames, "of each number")->capture_default_str()->check(CLI::PositiveNumber);
-  paper->add_option("--full-frames", x.full_frames, "of these, drawn as a whole too, and compared")->capture_default_str();
+  paper->add_option("--full-frames", x.full_frames, "of these, drawn as a whole too, and compared")
+      ->capture_default_str();
   paper->add_option("--layers", x.crowd.layers, "objects that a line of sight meets, about")->capture_default_str();
   paper->add_option("--interval", x.crowd.interval, "frames that an object moves, on average")->capture_default_str();
   paper->add_option("--buffers", x.buffers, "S-buffers of the last method")->capture_default_str();
@@ -162,7 +182,9 @@ void add_repro_static(CLI::App& repro) {
   paper->add_option("--width", x.width, "of the frame")->capture_default_str();
   paper->add_option("--height", x.height, "of the frame")->capture_default_str();
   paper->add_option("--config", x.config, "number formats")->capture_default_str();
-  paper->add_option("--lanes", x.lanes, "of the Z-test and the merge")->capture_default_str()->check(CLI::IsMember({1, 2, 4, 8, 16}));
+  paper->add_option("--lanes", x.lanes, "of the Z-test and the merge")
+      ->capture_default_str()
+      ->check(CLI::IsMember({1, 2, 4, 8, 16}));
   paper->add_option("--out", options->out, "folder for the plot and the last picture");
   paper->add_option("--json", options->json, "file for the numbers");
   paper->callback([options] {

@@ -20,12 +20,13 @@ const glm::dvec3 kColours[] = {{0.85, 0.62, 0.18}, {0.25, 0.55, 0.85}, {0.80, 0.
 
 }  // namespace
 
-// A ball of radius r at distance d covers π r² / (4 h² a d²) of the frame, h half its height at distance 1, a its aspect; with
-// distances even from 1 to 2 the mean of 1/d² is ½.
-Crowd::Crowd(const CrowdOptions& options) : options_(options), random_(options.seed), moves_(std::size_t(std::max(options.objects, 0))) {
+// A ball of radius r at distance d covers π r² / (4 h² a d²) of the frame, h half its height at distance 1, a its
+// aspect; with distances even from 1 to 2 the mean of 1/d² is ½.
+Crowd::Crowd(const CrowdOptions& options)
+    : options_(options), random_(options.seed), moves_(std::size_t(std::max(options.objects, 0))) {
   if (options.objects < 1 || !(options.layers > 0) || !(options.interval >= 1)) {
-    throw Error(fmt::format("a crowd of {} objects in {} layers, moving for {} frames: take 1 of each at least", options.objects,
-                            options.layers, options.interval));
+    throw Error(fmt::format("a crowd of {} objects in {} layers, moving for {} frames: take 1 of each at least",
+                            options.objects, options.layers, options.interval));
   }
   const double h = kHalfHeight;
   radius_ = std::sqrt(options.layers * 8 * h * h * options.aspect / (glm::pi<double>() * options.objects));

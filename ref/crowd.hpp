@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene of many objects of which few move: the experiment of the static objects buffer. Objects are instances of three
-// meshes of 4,512 triangles, at random places and turned at random, as many before each other everywhere in the frame.
+// A scene of many objects of which few move: the experiment of the static objects buffer. Objects are instances of
+// three meshes of 4,512 triangles, at random places and turned at random, as many before each other everywhere in the
+// frame.
 #ifndef HALFSPACE_REF_CROWD_HPP_
 #define HALFSPACE_REF_CROWD_HPP_
 
@@ -26,7 +27,8 @@ class Crowd {
 
   // With depth planes that hold wherever objects go. All are in view.
   const Scene& scene() const { return scene_; }
-  // The next frame: those that move go on; who has moved for its time stops, and another one is chosen, so that so many move.
+  // The next frame: those that move go on; who has moved for its time stops, and another one is chosen, so that so
+  // many move.
   void step(int moving);
   int starts() const { return starts_; }  // objects that began to move in the last step
 

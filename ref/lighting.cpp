@@ -19,8 +19,8 @@ glm::dvec3 placed_normal(const Mesh& mesh, std::uint32_t vertex, const glm::dmat
   return back ? -normal : normal;
 }
 
-SurfacePoint placed_vertex(const Mesh& mesh, std::uint32_t vertex, const glm::dmat4& to_world, const glm::dmat3& turn, bool back,
-                           const Viewpoint& viewpoint) {
+SurfacePoint placed_vertex(const Mesh& mesh, std::uint32_t vertex, const glm::dmat4& to_world, const glm::dmat3& turn,
+                           bool back, const Viewpoint& viewpoint) {
   const glm::dvec3 world(to_world * glm::dvec4(mesh.positions[vertex], 1));
   return {world, placed_normal(mesh, vertex, turn, back), viewpoint.to_viewer(world),
           mesh.colours.empty() ? glm::dvec3(1) : mesh.colours[vertex]};

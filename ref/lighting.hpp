@@ -17,14 +17,15 @@ struct SurfacePoint {
   glm::dvec3 colour;            // multiplies Ka and Kd
 };
 
-// Turns normals as `to_world` turns the surface, but for their length: the cofactors, which are right under any scale, of
-// mirrors too, and need no inverse.
+// Turns normals as `to_world` turns the surface, but for their length: the cofactors, which are right under any
+// scale, of mirrors too, and need no inverse.
 glm::dmat3 normal_matrix(const glm::dmat4& to_world);
 
-// A vertex of a mesh that is placed by `to_world`, whose normal matrix is `turn`; `back`: of a face that is seen from behind.
+// A vertex of a mesh that is placed by `to_world`, whose normal matrix is `turn`; `back`: of a face that is seen from
+// behind.
 glm::dvec3 placed_normal(const Mesh&, std::uint32_t vertex, const glm::dmat3& turn, bool back);
-SurfacePoint placed_vertex(const Mesh&, std::uint32_t vertex, const glm::dmat4& to_world, const glm::dmat3& turn, bool back,
-                           const Viewpoint&);
+SurfacePoint placed_vertex(const Mesh&, std::uint32_t vertex, const glm::dmat4& to_world, const glm::dmat3& turn,
+                           bool back, const Viewpoint&);
 
 // How a light arrives at a point.
 struct Arrival {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // A buffer that knows which object each pixel shows.
 //
-// Objects are numbered from 1 on in the order in which they are drawn, triangles in that of their object. A fragment has a *key*,
-// depth first, then the object's number; a pixel shows the least key, and of equal ones, which are of one object, the first
-// drawn. That is the depth test less, first drawn wins, of a frame that draws all objects in order; and as a least element
-// does not depend on the order, objects may come in any, come again, and be spread over buffers that are merged.
+// Objects are numbered from 1 on in the order in which they are drawn, triangles in that of their object. A fragment
+// has a *key*, depth first, then the object's number; a pixel shows the least key, and of equal ones, which are of
+// one object, the first drawn. That is the depth test less, first drawn wins, of a frame that draws all objects in
+// order; and as a least element does not depend on the order, objects may come in any, come again, and be spread over
+// buffers that are merged.
 #ifndef HALFSPACE_REF_OBJECT_BUFFER_HPP_
 #define HALFSPACE_REF_OBJECT_BUFFER_HPP_
 
@@ -21,13 +22,17 @@ struct Box {
 
   bool empty() const { return x0 >= x1 || y0 >= y1; }
   bool holds(int x, int y) const { return x >= x0 && x < x1 && y >= y0 && y < y1; }
-  bool meets(const Box& o) const { return std::max(x0, o.x0) < std::min(x1, o.x1) && std::max(y0, o.y0) < std::min(y1, o.y1); }
+  bool meets(const Box& o) const {
+    return std::max(x0, o.x0) < std::min(x1, o.x1) && std::max(y0, o.y0) < std::min(y1, o.y1);
+  }
   void add(const Box& o) {
     if (o.empty()) return;
     *this = empty() ? o : Box{std::min(x0, o.x0), std::min(y0, o.y0), std::max(x1, o.x1), std::max(y1, o.y1)};
   }
   void add(int x, int y) { add(Box{x, y, x + 1, y + 1}); }
-  Box cut(const Box& o) const { return {std::max(x0, o.x0), std::max(y0, o.y0), std::min(x1, o.x1), std::min(y1, o.y1)}; }
+  Box cut(const Box& o) const {
+    return {std::max(x0, o.x0), std::max(y0, o.y0), std::min(x1, o.x1), std::min(y1, o.y1)};
+  }
 };
 
 struct ObjectPixel {

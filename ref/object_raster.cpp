@@ -26,7 +26,8 @@ ObjectRaster::ObjectRaster(const Scene& scene, const RasterFormat& format, int w
       guard_planes_(guard_planes(view_)),
       frame_in_guard_(std::max(width, height) < 1 << (format.range_bits - 1)),
       spans_(width, height, format.subpixel_bits) {
-  if (depth_bits_ == 0) throw Error("format " + format.name + " has no depth, by which buffers are merged: take one that has");
+  if (depth_bits_ == 0)
+    throw Error("format " + format.name + " has no depth, by which buffers are merged: take one that has");
 }
 
 void ObjectRaster::snap_into(SnappedTriangle& t, int v, const Vertex& vertex) const {

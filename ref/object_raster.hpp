@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws one instance of a scene at a time, and keeps nothing of it: a scene of any number of instances needs the memory of the
-// largest mesh. Its triangles are those of Geometry, snapped, and its fragments those of render(), to the bit.
+// Draws one instance of a scene at a time, and keeps nothing of it: a scene of any number of instances needs the
+// memory of the largest mesh. Its triangles are those of Geometry, snapped, and its fragments those of render(), to
+// the bit.
 #ifndef HALFSPACE_REF_OBJECT_RASTER_HPP_
 #define HALFSPACE_REF_OBJECT_RASTER_HPP_
 
@@ -16,7 +17,9 @@
 namespace halfspace::ref {
 
 // A triangle of an object: its face, from 0 on, and which part of it.
-constexpr std::uint32_t triangle_number(std::uint32_t face, int part) { return face * kMostParts + std::uint32_t(part); }
+constexpr std::uint32_t triangle_number(std::uint32_t face, int part) {
+  return face * kMostParts + std::uint32_t(part);
+}
 constexpr std::uint32_t face_of(std::uint32_t triangle) { return triangle / kMostParts; }
 constexpr int part_of(std::uint32_t triangle) { return int(triangle % kMostParts); }
 
@@ -44,8 +47,9 @@ class ObjectRaster {
 
   // Instance n is object n + 1.
   Drawn draw(std::uint32_t instance, ObjectBuffer&, const Box& region);
-  // The occlusion query by drawing: fragments that have the key of their pixel. Of an object that is in the buffer, 0 when none
-  // of its pixels is seen; it is the count of them where no two of its triangles meet in a pixel at one depth.
+  // The occlusion query by drawing: fragments that have the key of their pixel. Of an object that is in the buffer, 0
+  // when none of its pixels is seen; it is the count of them where no two of its triangles meet in a pixel at one
+  // depth.
   std::uint64_t count_equal(std::uint32_t instance, const ObjectBuffer&);
 
  private:

@@ -65,7 +65,8 @@ void ObjectShader::shade(ObjectPixel& pixel, int x, int y) {
   if (ordered_->area == 0) return;
   for (int c = 0; c < 3; ++c) {
     const Plane plane(*ordered_, channel_[c]);
-    const Wide numerator = plane.numerator(pixel_centre(x, format_.subpixel_bits), pixel_centre(y, format_.subpixel_bits));
+    const Wide numerator =
+        plane.numerator(pixel_centre(x, format_.subpixel_bits), pixel_centre(y, format_.subpixel_bits));
     pixel.colour[c] = displayed_colour(unsigned(plane.rounded(numerator)), format_.colour_bits);
   }
 }

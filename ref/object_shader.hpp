@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The colour of a pixel of which the object and its triangle are known: geometry, lighting and the colour planes of that one
-// triangle, so that what is not seen costs nothing. Colours are those of render(snap(project(scene))), to the bit.
+// The colour of a pixel of which the object and its triangle are known: geometry, lighting and the colour planes of
+// that one triangle, so that what is not seen costs nothing. Colours are those of render(snap(project(scene))), to
+// the bit.
 #ifndef HALFSPACE_REF_OBJECT_SHADER_HPP_
 #define HALFSPACE_REF_OBJECT_SHADER_HPP_
 
@@ -22,8 +23,8 @@ class ObjectShader {
   ObjectShader(const Scene&, const RasterFormat&, const View&);
 
   void look_from(const Viewpoint&);
-  // A pixel that shows an object or the background, and has no colour yet, gets it; that of the background too where the
-  // triangle, as its object stands now, is not drawn: then somebody has left in a buffer what has moved.
+  // A pixel that shows an object or the background, and has no colour yet, gets it; that of the background too where
+  // the triangle, as its object stands now, is not drawn: then somebody has left in a buffer what has moved.
   void shade(ObjectPixel& pixel, int x, int y);
   // To be called when instances have moved.
   void forget() { object_ = 0; }

@@ -14,7 +14,8 @@ bool same(const ObjectPixel& a, const ObjectPixel& b) { return a.key == b.key &&
 
 }  // namespace
 
-StaticObjects::StaticObjects(const Scene& scene, const RasterFormat& format, int width, int height, const StaticOptions& options)
+StaticObjects::StaticObjects(const Scene& scene, const RasterFormat& format, int width, int height,
+                             const StaticOptions& options)
     : scene_(scene),
       options_(options),
       raster_(scene, format, width, height),
@@ -24,6 +25,10 @@ StaticObjects::StaticObjects(const Scene& scene, const RasterFormat& format, int
       dynamic_(still_),
       picture_(still_) {
   if (options.buffers < 1) throw Error(fmt::format("{} S-buffers hold no object: take one at least", options.buffers));
+  if (scene.instances.size() >= std::uint64_t(1) << options.object_bits) {
+    throw Error(fmt::format("{}: {} objects, and {} bits number {}: take more bits", scene.name, scene.instances.size(),
+                            options.object_bits, (std::uint64_t(1) << options.object_bits) - 1));
+  }
   for (const Instance& instance : scene.instances) objects_.push_back({instance.to_world, {}});
   compose(still_.frame());
 }
@@ -61,8 +66,8 @@ const FrameWork& StaticObjects::draw(const DrawSink& sink) {
 
 void StaticObjects::find_states() {
   if (scene_.instances.size() != objects_.size()) {
-    throw Error(fmt::format("{}: {} objects in a frame and {} in the first: begin anew where objects come or go", scene_.name,
-                            scene_.instances.size(), objects_.size()));
+    throw Error(fmt::format("{}: {} objects in a frame and {} in the first: begin anew where objects come or go",
+                            scene_.name, scene_.instances.size(), objects_.size()));
   }
   const Viewpoint from = viewpoint(scene_, double(still_.width()) / still_.height());
   work_.new_view = anew_ || from != raster_.viewpoint();
@@ -117,8 +122,8 @@ void StaticObjects::fill(int k, const std::vector<Box>& holes, const DrawSink& s
   }
 }
 
-// The S-buffers merged. What shows the same triangle as before keeps its colour: an object that has moved in between was
-// erased in between.
+// The S-buffers merged. What shows the same triangle as before keeps its colour: an object that has moved in between
+// was erased in between.
 void StaticObjects::compose(const Box& box) {
   for (int y = box.y0; y < box.y1; ++y) {
     for (int x = box.x0; x < box.x1; ++x) {

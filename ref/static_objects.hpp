@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Static objects buffers: what stands still is drawn once into S-buffers, what moves each frame into the D-buffer, and the frame is
-// the nearer of both. docs/static.md has the rules, and why the frame is that of drawing everything.
+// Static objects buffers: what stands still is drawn once into S-buffers, what moves each frame into the D-buffer,
+// and the frame is the nearer of both. docs/static.md has the rules, and why the frame is that of drawing everything.
 #ifndef HALFSPACE_REF_STATIC_OBJECTS_HPP_
 #define HALFSPACE_REF_STATIC_OBJECTS_HPP_
 
@@ -18,7 +18,8 @@ namespace halfspace::ref {
 // Static or dynamic in the previous frame, and in this one. Dynamic is what has another matrix than a frame before.
 enum class ObjectState : std::uint8_t { kSS, kSD, kDS, kDD };
 constexpr ObjectState object_state(bool dynamic_before, bool dynamic_now) {
-  return dynamic_before ? (dynamic_now ? ObjectState::kDD : ObjectState::kDS) : (dynamic_now ? ObjectState::kSD : ObjectState::kSS);
+  return dynamic_before ? (dynamic_now ? ObjectState::kDD : ObjectState::kDS)
+                        : (dynamic_now ? ObjectState::kSD : ObjectState::kSS);
 }
 
 // How many pixels of an S-buffer show an object; all of them are in the box.
@@ -28,16 +29,17 @@ inline std::uint64_t visible_pixels(const ObjectBuffer& buffer, std::uint32_t ob
 }
 
 struct StaticOptions {
-  int buffers = 1;  // S-buffers; instance n is in number n mod buffers while it stands still
-  // Asked for an object that starts to move; 0: its S-buffer stays as it is. Without a query each update is done, in the whole
-  // box of the object; with it in the box of the pixels that are seen.
+  int buffers = 1;       // S-buffers; instance n is in number n mod buffers while it stands still
+  int object_bits = 32;  // of the number of an object in a pixel; 0 is the background
+  // Asked for an object that starts to move; 0: its S-buffer stays as it is. Without a query each update is done, in
+  // the whole box of the object; with it in the box of the pixels that are seen.
   OcclusionQuery query;
 };
 
 // What a frame took.
 struct FrameWork {
   bool new_view = false;                                  // all is dynamic, and the S-buffers are empty
-  std::uint64_t moving = 0, added = 0, redrawn = 0;       // objects drawn: SD and DD; DS; others of an S-buffer, for an SD
+  std::uint64_t moving = 0, added = 0, redrawn = 0;  // objects drawn: SD and DD; DS; others of an S-buffer, for an SD
   std::uint64_t started = 0, queries = 0, skipped = 0;    // SD, seen from where the last frame was; asked; skipped
   std::uint64_t triangles = 0;                            // of the objects drawn, handed to the rasterizer
   std::uint64_t composed = 0;                             // pixels that were merged anew of all S-buffers
@@ -49,8 +51,9 @@ using DrawSink = std::function<void(std::uint32_t instance)>;
 
 class StaticObjects {
  public:
-  // The scene as it stands in the frame before the first; it outlives this, and its instances move between two frames. In that
-  // frame all objects are dynamic. Error for less than one S-buffer, and for a format without depth.
+  // The scene as it stands in the frame before the first; it outlives this, and its instances move between two
+  // frames. In that frame all objects are dynamic. Error for less than one S-buffer, for more objects than there are
+  // numbers, and for a format without depth.
   StaticObjects(const Scene&, const RasterFormat&, int width, int height, const StaticOptions&);
 
   // The scene as it stands now, from where it is looked at now.

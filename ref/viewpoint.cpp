@@ -102,7 +102,9 @@ DepthPlanes planes_from(const Scene& scene, const Viewpoint& view) {
 
 DepthPlanes depth_planes(const Scene& scene, double aspect) { return planes_from(scene, place(scene, aspect)); }
 
-DepthPlanes joined(const DepthPlanes& a, const DepthPlanes& b) { return {std::min(a.near, b.near), std::max(a.far, b.far)}; }
+DepthPlanes joined(const DepthPlanes& a, const DepthPlanes& b) {
+  return {std::min(a.near, b.near), std::max(a.far, b.far)};
+}
 
 Viewpoint viewpoint(const Scene& scene, double aspect) {
   Viewpoint view = place(scene, aspect);

@@ -15,7 +15,8 @@ struct Viewpoint {
   glm::dmat4 to_clip;                  // world to clip space, 0 <= z <= w
 
   bool operator==(const Viewpoint& o) const {
-    return eye == o.eye && forward == o.forward && right == o.right && up == o.up && orthographic == o.orthographic && to_clip == o.to_clip;
+    return eye == o.eye && forward == o.forward && right == o.right && up == o.up && orthographic == o.orthographic &&
+           to_clip == o.to_clip;
   }
   bool operator!=(const Viewpoint& o) const { return !(*this == o); }
 

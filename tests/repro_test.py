@@ -70,8 +70,37 @@ class Repro(unittest.TestCase):
         self.assertLess(castle["corners_visible"], castle["corners_facing"])
         self.assertGreater(castle["light_facing_ms"], 0)
 
+    def test_static_objects(self):
+        with tempfile.TemporaryDirectory() as folder:
+            report, text = repro(folder, "E", "--objects", "300", "--layers", "20", "--moving", "5", "20", "--frames", "25",
+                                 "--full-frames", "2", "--interval", "8", "--width", "160", "--height", "120", "--seed", "7")
+            for name in ("static_objects", "crowd"):
+                self.assertGreater((pathlib.Path(folder) / f"{name}.png").stat().st_size, 5000)
+        self.assertIn("seed 7", text)
+        self.assertEqual(report["triangles"], 300 * 4512)
+        self.assertEqual(report["compared_pixels"], 2 * 2 * 3 * 160 * 120)
+        self.assertLess(report["memory_mb"], 4096)
+        skipped = 0
+        for step in report["steps"]:
+            everything, plain, query, many = (step[name] for name in ("all", "no_query", "query", "query_many"))
+            self.assertEqual((everything["objects_drawn"]["mean"], everything["cycles"]["frames"]), (300, 2))
+            self.assertGreater(plain["starts"], 10)
+            self.assertEqual(plain["updates"], plain["starts"])
+            for way in (plain, query, many):
+                self.assertEqual(way["starts"], plain["starts"])
+                self.assertEqual(way["objects_drawn"]["frames"], 25)
+                # What moves, what stops, and what is drawn again.
+                self.assertGreaterEqual(way["objects_drawn"]["mean"], step["moving"] + way["redrawn"]["mean"])
+                for number in ("objects_drawn", "triangles", "cycles"):
+                    self.assertLess(way[number]["mean"], everything[number]["mean"])
+                self.assertGreater(way["ms"]["mean"], 0)
+            self.assertLess(query["objects_drawn"]["mean"], plain["objects_drawn"]["mean"])
+            self.assertLess(many["redrawn"]["largest"], plain["redrawn"]["largest"])
+            skipped += query["starts"] - query["updates"]
+        self.assertGreater(skipped, 10)
+
     def test_bad_calls_say_why(self):
-        for args, words in ((["A", "nowhere.obj"], "nowhere.obj"), (["C"], "")):
+        for args, words in ((["E", "--objects", "10", "--moving", "8"], "8 of 10 objects"), ((["A", "nowhere.obj"], "nowhere.obj"), (["C"], "")):
             done = subprocess.run([HALFSPACE, "repro", *args], capture_output=True, text=True)
             self.assertNotEqual(done.returncode, 0)
             self.assertIn(words, done.stderr)

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Static objects buffers against the renderer that draws everything: random starts and stops, frame by frame, to the bit.
+// Static objects buffers against the renderer that draws everything: random starts and stops, frame by frame, to the
+// bit.
 #include <gtest/gtest.h>
 
 #include <cstdio>
 #include <glm/gtc/matrix_transform.hpp>
 #include <random>
 
+#include "ref/crowd.hpp"
 #include "ref/error.hpp"
 #include "ref/geometry.hpp"
 #include "ref/mesh_builder.hpp"
 #include "ref/raster.hpp"
 #include "ref/static_objects.hpp"
+#include "vectors/cycles.hpp"
 
 namespace halfspace::ref {
 namespace {
@@ -20,8 +23,8 @@ constexpr int kWidth = 40, kHeight = 30, kObjects = 16;
 RasterFormat format_of(int depth_bits) { return {"static", kWidth, kHeight, 4096, 7, 6, depth_bits}; }
 View view_of(const RasterFormat& format) { return {kWidth, kHeight, format.range_bits, format.subpixel_bits}; }
 
-// Quads that face the viewer and meet at equal depths, from both sides or one; solids; something smaller than a pixel. Each has its
-// own colours, so that no two objects look alike.
+// Quads that face the viewer and meet at equal depths, from both sides or one; solids; something smaller than a
+// pixel. Each has its own colours, so that no two objects look alike.
 Scene small_scene() {
   Scene scene;
   scene.name = "small";
@@ -67,7 +70,8 @@ class Motion {
 
   glm::dmat4 place() {
     constexpr double kDepths[] = {0, 0, 0.5, 0.5, -1, 2.2, 2.6};  // the last two reach through the near plane
-    glm::dmat4 m = glm::translate(glm::dmat4(1), glm::dvec3(0.3 * below(7) - 0.9, 0.3 * below(5) - 0.6, kDepths[below(7)]));
+    glm::dmat4 m =
+        glm::translate(glm::dmat4(1), glm::dvec3(0.3 * below(7) - 0.9, 0.3 * below(5) - 0.6, kDepths[below(7)]));
     if (below(4) == 0) m = glm::rotate(m, 0.6 * below(10), glm::dvec3(0.3, 1, 0.2));
     if (below(6) == 0) m = glm::scale(m, glm::dvec3(-1, 1, 1));
     if (below(9) == 0) m = glm::scale(m, glm::dvec3(6));
@@ -90,7 +94,8 @@ class Motion {
 };
 
 // Pixels at which the picture is not what the renderer draws, by face, depth or colour.
-int wrong_pixels(const Scene& scene, const Frame& drawn, const std::vector<std::uint32_t>& faces, const ObjectBuffer& picture) {
+int wrong_pixels(const Scene& scene, const Frame& drawn, const std::vector<std::uint32_t>& faces,
+                 const ObjectBuffer& picture) {
   std::vector<std::uint32_t> first{1};
   for (const Instance& instance : scene.instances)
     first.push_back(first.back() + std::uint32_t(scene.meshes[instance.mesh].triangles.size()));
@@ -134,6 +139,13 @@ bool same_objects(const ObjectBuffer& a, const ObjectBuffer& b) {
   return true;
 }
 
+StaticOptions options_of(int buffers, OcclusionQuery query) {
+  StaticOptions options;
+  options.buffers = buffers;
+  options.query = std::move(query);
+  return options;
+}
+
 // Moves the viewer now and then for some frames, and dims the light.
 void move_viewer(Scene& scene, Motion& motion, int frame, int& view_until) {
   if (motion.below(50) == 0) view_until = frame + 1 + motion.below(4);
@@ -161,7 +173,8 @@ TEST(StaticObjects, EachFrameIsThatOfDrawingEverything) {
     for (int n = 0; n < kObjects; ++n) scene.instances[n].to_world = motion.place();
     std::vector<StaticObjects> ours;
     for (const Case& c : kCases)
-      ours.emplace_back(scene, format, kWidth, kHeight, StaticOptions{c.buffers, c.query ? visible_pixels : OcclusionQuery()});
+      ours.emplace_back(scene, format, kWidth, kHeight,
+                        options_of(c.buffers, c.query ? visible_pixels : OcclusionQuery()));
     int view_until = 0;
     for (int frame = 0; frame < kFrames / 2; ++frame) {
       motion.step(scene);
@@ -175,7 +188,8 @@ TEST(StaticObjects, EachFrameIsThatOfDrawingEverything) {
         ASSERT_EQ(wrong_pixels(scene, all.frame, all.faces, ours[i].picture()), 0)
             << "frame " << frame << ", " << kCases[i].buffers << " S-buffers, query " << kCases[i].query;
         for (int k = 0; k < kCases[i].buffers; ++k)
-          ASSERT_TRUE(same_objects(ours[i].static_buffer(k), rebuilt(scene, format, ours[i], k))) << "frame " << frame << ", " << k;
+          ASSERT_TRUE(same_objects(ours[i].static_buffer(k), rebuilt(scene, format, ours[i], k)))
+              << "frame " << frame << ", " << k;
         ASSERT_EQ(work.queries, kCases[i].query ? work.started : 0u);
         ASSERT_TRUE(!work.new_view || work.moving == scene.instances.size());
         new_views += i == 0 && work.new_view;
@@ -196,8 +210,8 @@ TEST(StaticObjects, EachFrameIsThatOfDrawingEverything) {
   EXPECT_GT(ties, 10000u);
   EXPECT_GT(shown_moving, 100000u);
   EXPECT_GT(new_views, 50u);
-  std::printf("SS %lu, SD %lu, DS %lu, DD %lu; %lu ties of S and D, %lu frames from a new viewpoint or in new light\n", states[0], states[1], states[2],
-              states[3], ties, new_views);
+  std::printf("SS %lu, SD %lu, DS %lu, DD %lu; %lu ties of S and D, %lu frames from a new viewpoint or in new light\n",
+              states[0], states[1], states[2], states[3], ties, new_views);
 }
 
 // --- the occlusion query ---
@@ -215,7 +229,7 @@ TEST(StaticObjects, QuerySkipsWhatIsNotNeededAndNothingElse) {
       answers.emplace_back(object, count == 0);
       return count;
     };
-    StaticObjects ours(scene, format, kWidth, kHeight, {buffers, query});
+    StaticObjects ours(scene, format, kWidth, kHeight, options_of(buffers, query));
     std::uint64_t needed = 0, unneeded = 0, skipped = 0;
     ours.draw();
     for (int frame = 0; frame < 2000; ++frame) {
@@ -223,7 +237,8 @@ TEST(StaticObjects, QuerySkipsWhatIsNotNeededAndNothingElse) {
       for (int k = 0; k < buffers; ++k) before.push_back(rebuilt(scene, format, ours, k));
       std::vector<bool> by_drawing;  // seen, as the Z-test counts it
       for (std::uint32_t n = 0; n < scene.instances.size(); ++n)
-        by_drawing.push_back(ours.is_static(n) && ours.raster().count_equal(n, ours.static_buffer(ours.buffer_of(n))) != 0);
+        by_drawing.push_back(ours.is_static(n) &&
+                             ours.raster().count_equal(n, ours.static_buffer(ours.buffer_of(n))) != 0);
       motion.step(scene);
       answers.clear();
       ours.draw();
@@ -236,7 +251,8 @@ TEST(StaticObjects, QuerySkipsWhatIsNotNeededAndNothingElse) {
         skipped += skip;
       }
     }
-    std::printf("%d S-buffers: %lu updates needed, %lu not, of which %lu skipped\n", buffers, needed, unneeded, skipped);
+    std::printf("%d S-buffers: %lu updates needed, %lu not, of which %lu skipped\n", buffers, needed, unneeded,
+                skipped);
     EXPECT_GT(needed, 500u);
     EXPECT_GT(unneeded, 200u);
     EXPECT_GE(double(skipped), 0.95 * double(unneeded));
@@ -250,7 +266,7 @@ int wrong_frames(int buffers, const std::function<OcclusionQuery(const StaticObj
   Motion motion(5);
   for (int n = 0; n < kObjects; ++n) scene.instances[n].to_world = motion.place();
   const StaticObjects* asked = nullptr;
-  StaticObjects ours(scene, format, kWidth, kHeight, {buffers, broken(asked)});
+  StaticObjects ours(scene, format, kWidth, kHeight, options_of(buffers, broken(asked)));
   asked = &ours;
   int wrong = 0;
   for (int frame = 0; frame < 300; ++frame) {
@@ -266,14 +282,20 @@ TEST(StaticObjects, BrokenQueriesLeaveGhosts) {
   EXPECT_EQ(wrong_frames(1, [](auto&) { return visible_pixels; }), 0);
   // The picture in the place of the S-buffer: what a moving object hides now is a ghost when that has gone.
   const auto picture = [](const StaticObjects*& asked) {
-    return [&asked](const ObjectBuffer&, std::uint32_t object, const Box& box) { return asked->picture().count(object, box); };
+    return [&asked](const ObjectBuffer&, std::uint32_t object, const Box& box) {
+      return asked->picture().count(object, box);
+    };
   };
   EXPECT_GT(wrong_frames(1, picture), 0);
   EXPECT_GT(wrong_frames(7, picture), 0);
   // Few pixels taken for none.
-  EXPECT_GT(wrong_frames(1, [](auto&) {
-              return [](const ObjectBuffer& buffer, std::uint32_t object, const Box& box) { return buffer.count(object, box) / 8; };
-            }), 0);
+  EXPECT_GT(wrong_frames(1,
+                         [](auto&) {
+                           return [](const ObjectBuffer& buffer, std::uint32_t object, const Box& box) {
+                             return buffer.count(object, box) / 8;
+                           };
+                         }),
+            0);
   // Not the whole box.
   EXPECT_GT(wrong_frames(1, [](auto&) {
               return [](const ObjectBuffer& buffer, std::uint32_t object, const Box& box) {
@@ -290,7 +312,7 @@ TEST(StaticObjects, DrawWhatMovesAndNothingElse) {
   Motion motion(1);
   for (int n = 0; n < kObjects; ++n) scene.instances[n].to_world = motion.place();
   const std::uint64_t all = scene.instances.size();
-  StaticObjects ours(scene, format, kWidth, kHeight, {1, visible_pixels});
+  StaticObjects ours(scene, format, kWidth, kHeight, options_of(1, visible_pixels));
   scene.instances[2].to_world = motion.place();
   FrameWork work = ours.draw();
   EXPECT_EQ(work.moving, 1u);
@@ -318,6 +340,42 @@ TEST(StaticObjects, DrawWhatMovesAndNothingElse) {
   EXPECT_EQ(work.moving, 0u);
   EXPECT_EQ(work.added, all);
   EXPECT_EQ(ours.draw().drawn(), 0u);
+}
+
+// More triangles than there are indices are drawn in passes, wherever these begin: the merge, a pass after the other,
+// gives the whole, with the first pass where keys are equal.
+TEST(ObjectBuffer, PassesMergeToTheWhole) {
+  const RasterFormat format = format_of(5);
+  Scene scene = small_scene();
+  Motion motion(3);
+  for (int run = 0; run < 50; ++run) {
+    for (int n = 0; n < kObjects; ++n) scene.instances[n].to_world = motion.place();
+    AllObjects all(scene, format, kWidth, kHeight);
+    all.draw();
+    const int indices = 1 + motion.below(20);
+    ObjectRaster raster(scene, format, kWidth, kHeight);
+    ObjectBuffer merged(kWidth, kHeight, full_depth(format.depth_bits)), pass = merged;
+    int used = 0;
+    const auto finish = [&] {
+      for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+          if (pass.at(x, y).key < merged.at(x, y).key) merged.at(x, y) = pass.at(x, y);
+        }
+      }
+      pass.clear(pass.frame());
+      used = 0;
+    };
+    for (std::uint32_t n = 0; n < scene.instances.size(); ++n) {
+      std::uint32_t last = ~0u;
+      raster.fragments(n, merged.frame(), [&](int x, int y, std::uint32_t depth, std::uint32_t triangle) {
+        if (triangle != last && used++ == indices) finish();
+        last = triangle;
+        pass.test(x, y, object_key(depth, n + 1), triangle);
+      });
+    }
+    finish();
+    ASSERT_TRUE(same_objects(merged, all.picture()));
+  }
 }
 
 // --- what is drawn, and the planes of depth ---
@@ -378,10 +436,79 @@ TEST(DepthPlanes, HoldOverTheTimesOfAnAnimation) {
 TEST(StaticObjects, RefuseWhatTheyCannotDo) {
   Scene scene = small_scene();
   EXPECT_THROW(StaticObjects(scene, format_of(0), kWidth, kHeight, {}), Error);
-  EXPECT_THROW(StaticObjects(scene, format_of(24), kWidth, kHeight, {0, {}}), Error);
-  StaticObjects ours(scene, format_of(24), kWidth, kHeight, {});
+  EXPECT_THROW(StaticObjects(scene, format_of(24), kWidth, kHeight, options_of(0, {})), Error);
+  StaticOptions few_bits;
+  few_bits.object_bits = 4;  // 15 objects, and there are 17
+  EXPECT_THROW(StaticObjects(scene, format_of(24), kWidth, kHeight, few_bits), Error);
+  few_bits.object_bits = 5;
+  StaticObjects ours(scene, format_of(24), kWidth, kHeight, few_bits);
   scene.instances.pop_back();
   EXPECT_THROW(ours.draw(), Error);
+}
+
+// --- the experiment ---
+
+TEST(Crowd, KeepsItsNumberMovingAndInView) {
+  CrowdOptions options;
+  options.objects = 400;
+  options.layers = 10;
+  options.interval = 20;
+  Crowd crowd(options), again(options);
+  const RasterFormat format{"static", 160, 120, 1 << 20, 11, 8, 24};
+  int starts = 0;
+  std::vector<glm::dmat4> before(400);
+  for (int frame = 0; frame < 400; ++frame) {
+    const int wanted = frame < 200 ? 30 : 60;
+    for (int n = 0; n < 400; ++n) before[n] = crowd.scene().instances[n].to_world;
+    crowd.step(wanted);
+    again.step(wanted);
+    int moved = 0;
+    for (int n = 0; n < 400; ++n) {
+      moved += crowd.scene().instances[n].to_world != before[n];
+      ASSERT_EQ(crowd.scene().instances[n].to_world, again.scene().instances[n].to_world);
+    }
+    ASSERT_EQ(moved, wanted);
+    starts += frame > 0 && frame != 200 ? crowd.starts() : 0;
+  }
+  EXPECT_NEAR(starts, 400 * 45 / 20.0, 150);
+  ObjectRaster raster(crowd.scene(), format, 160, 120);
+  ObjectBuffer buffer(160, 120, full_depth(24));
+  for (std::uint32_t n = 0; n < 400; ++n) {
+    Box box;
+    const Drawn drawn = raster.fragments(n, buffer.frame(), [&](int x, int y, std::uint32_t depth, std::uint32_t) {
+      box.add(x, y);
+      ASSERT_LT(depth, full_depth(24));
+    });
+    ASSERT_FALSE(box.empty()) << n;
+    ASSERT_GT(drawn.triangles, 500u);
+  }
+  EXPECT_THROW(crowd.step(200), Error);
+}
+
+// The setup units set the pace of small triangles, so that their cycles add up to a frame.
+TEST(Crowd, CyclesOfAFrameAreThoseOfItsSetup) {
+  CrowdOptions options;
+  options.objects = 7;
+  options.layers = 0.04;  // as large as in the experiment
+  const Crowd crowd(options);
+  const vectors::Configuration middle = vectors::find_configuration("middle");
+  const RasterFormat format = vectors::raster_format(middle);
+  SnappedList list = snap(project(crowd.scene(), {640, 480, format.range_bits, format.subpixel_bits}), format);
+  const auto engine = vectors::make_engine("middle", 4);
+  const vectors::Cycles modelled = vectors::model_cycles(middle.config(), *engine, list, render(list));
+  const vectors::SetupModel model(middle.config(), 640, 480);
+  std::uint64_t triangle_setup = 0, shade_setup = 0;
+  for (const SnappedTriangle& t : list.triangles) {
+    const vectors::SetupCycles cycles = model.cycles(t);
+    triangle_setup += std::uint64_t(cycles.triangle_setup), shade_setup += std::uint64_t(cycles.shade_setup);
+  }
+  EXPECT_EQ(triangle_setup, modelled.triangle_setup);
+  EXPECT_EQ(shade_setup, modelled.shade_setup);
+  const double slowest = double(std::max(triangle_setup, shade_setup));
+  std::printf("%zu triangles: %lu cycles of triangle setup, %lu of shade setup, %lu of the rasterizer; a frame %lu\n",
+              list.triangles.size(), triangle_setup, shade_setup, modelled.raster, modelled.frame);
+  EXPECT_LT(double(modelled.raster), 0.5 * slowest);
+  EXPECT_NEAR(double(modelled.frame) / slowest, 1, 0.05);
 }
 
 }  // namespace

@@ -20,7 +20,8 @@ double processor_ms() { return 1e3 * double(std::clock()) / CLOCKS_PER_SEC; }
 // Setup cycles of objects as they stand; those that stand still are asked once.
 class ObjectCosts {
  public:
-  ObjectCosts(const Config& config, int width, int height, std::size_t objects) : model_(config, width, height), costs_(objects) {}
+  ObjectCosts(const Config& config, int width, int height, std::size_t objects)
+      : model_(config, width, height), costs_(objects) {}
 
   struct Cost {
     std::uint64_t triangle_setup = 0, shade_setup = 0;
@@ -62,13 +63,16 @@ class Experiment {
         costs_(config_.config(), o.width, o.height, std::size_t(o.crowd.objects)),
         all_(crowd_.scene(), format_, o.width, o.height) {
     if (o.width > format_.width || o.height > format_.height) {
-      throw ref::Error(fmt::format("a frame of {}x{} does not fit configuration {}, which takes {}x{}: take a smaller one, or a larger "
-                                   "configuration", o.width, o.height, format_.name, format_.width, format_.height));
+      throw ref::Error(fmt::format(
+          "a frame of {}x{} does not fit configuration {}, which takes {}x{}: take a smaller one, or a larger "
+          "configuration",
+          o.width, o.height, format_.name, format_.width, format_.height));
     }
     runs_.reserve(kStaticMethods - 1);
     for (const StaticMethod method : {StaticMethod::kNoQuery, StaticMethod::kQuery, StaticMethod::kQueryMany}) {
       Run* const run = runs_.data() + runs_.size();  // where it will stand
-      ref::StaticOptions options{method == StaticMethod::kQueryMany ? o.buffers : 1, {}};
+      ref::StaticOptions options;
+      if (method == StaticMethod::kQueryMany) options.buffers = o.buffers;
       if (method != StaticMethod::kNoQuery) {
         options.query = [run](const ref::ObjectBuffer& buffer, std::uint32_t object, const ref::Box& box) {
           run->queried.push_back(object - 1);
@@ -107,7 +111,9 @@ class Experiment {
   void tell(const char* phase, std::size_t done, std::size_t total) const {
     if (progress_) progress_(phase, done, total);
   }
-  std::uint64_t stamps(std::uint64_t pixels) const { return (pixels + std::uint64_t(o_.lanes) - 1) / std::uint64_t(o_.lanes); }
+  std::uint64_t stamps(std::uint64_t pixels) const {
+    return (pixels + std::uint64_t(o_.lanes) - 1) / std::uint64_t(o_.lanes);
+  }
 
   void frame(int moving, StaticStep* step, bool first) {
     crowd_.step(moving);
@@ -151,7 +157,8 @@ class Experiment {
       sum.triangle_setup += cost.triangle_setup, sum.shade_setup += cost.shade_setup;
     }
     // A query draws an object as it stood a frame before, an eighth of its radius away: taken as it stands now.
-    const std::uint64_t merge = std::uint64_t(run.objects.buffers()) * stamps(std::uint64_t(o_.width) * std::uint64_t(o_.height));
+    const std::uint64_t merge =
+        std::uint64_t(run.objects.buffers()) * stamps(std::uint64_t(o_.width) * std::uint64_t(o_.height));
     for (const std::uint32_t n : run.queried) sum.triangle_setup += costs_.of(n, run.objects.raster()).triangle_setup;
     return std::max({sum.triangle_setup, sum.shade_setup, merge});
   }
@@ -178,8 +185,8 @@ class Experiment {
       for (int x = 0; x < o_.width; ++x) {
         const ref::ObjectPixel &a = picture.at(x, y), &b = all_.picture().at(x, y);
         if (a.key != b.key || a.triangle != b.triangle || a.colour != b.colour) {
-          throw ref::Error(fmt::format("pixel ({}, {}) shows object {}, and {} when everything is drawn: report this", x, y, a.object(),
-                                       b.object()));
+          throw ref::Error(fmt::format("pixel ({}, {}) shows object {}, and {} when everything is drawn: report this",
+                                       x, y, a.object(), b.object()));
         }
         ++result_.compared;
       }

@@ -33,8 +33,8 @@ struct StaticExperimentOptions {
   std::string config = "middle";
   int lanes = 4, width = 640, height = 480;
   int buffers = 7;                          // of the last method
-  int frames = 200;                         // of each number of moving objects, after one that is not counted
-  int full_frames = 3;                      // of those, at the end, that are drawn as a whole as well, and compared
+  int frames = 150;                         // of each number of moving objects, after one that is not counted
+  int full_frames = 2;                      // of those, at the end, that are drawn as a whole as well, and compared
   std::vector<int> moving{10, 40, 80, 120};
 };
 
@@ -69,9 +69,9 @@ using ExperimentProgress = std::function<void(const char* phase, std::size_t don
 
 // Throws ref::Error when a picture differs from that of drawing everything.
 //
-// Cycles of a frame: the slowest of triangle setup, shade setup and merge, without waits: the two over the objects drawn, the first also
-// over those that a query draws; the merge takes a stamp a cycle for each S-buffer. The rasterizer takes fewer than the setup: of
-// triangles of a pixel about one stamp each.
+// Cycles of a frame: the slowest of triangle setup, shade setup and merge, without waits: the two over the objects
+// drawn, the first also over those that a query draws; the merge takes a stamp a cycle for each S-buffer. The
+// rasterizer takes fewer than the setup: of triangles of a pixel about one stamp each.
 StaticExperiment run_static_experiment(const StaticExperimentOptions&, const ExperimentProgress&);
 
 }  // namespace halfspace::vectors
