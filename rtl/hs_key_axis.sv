@@ -31,6 +31,7 @@ module hs_key_axis #(
     logic signed [ValueBits:0] difference_q;
     logic signed [TapWeightBits-1:0] weight_q;
     logic signed [ProductBits-1:0] product_q;
+    logic unused_product;
 
     assign value = values_i[Tap*ValueBits +: ValueBits];
     always_ff @(posedge clk_i) begin
@@ -40,6 +41,7 @@ module hs_key_axis #(
         product_q <= difference_q * weight_q;
       end
     end
+    assign unused_product = ^product_q;  // the sum has room for less
     assign products[i*SumBits +: SumBits] = SumBits'(product_q);
   end
 

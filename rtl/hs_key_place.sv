@@ -34,12 +34,12 @@ module hs_key_place #(
   logic [PlaceBits-1:0] place_q;
   logic [SideBits:0] size;
   logic signed [ColumnBits-1:0] key_size, column, first, last, end_last;
-  logic [Taps-1:0] inside;
+  logic [Taps-1:0] is_inside;
   logic [ColumnBits-1:0] first_inside, last_inside;
   logic unused_bits;
 
   assign size = {1'b0, size_i} + (SideBits + 1)'((1 << Log2Samples) - 1);
-  assign key_size = ColumnBits'(size >> Log2Samples);
+  assign key_size = ColumnBits'(size) >> Log2Samples;
   assign column = {{4{place_q[PlaceBits-1]}}, place_q[PlaceBits-1:FractionBits]};
   assign first = column - ColumnBits'(Before);
   assign last = first + ColumnBits'(Taps - 1);
@@ -48,7 +48,7 @@ module hs_key_place #(
   for (genvar i = 0; i < Taps; i++) begin : gen_tap
     logic signed [ColumnBits-1:0] at;
     assign at = first + ColumnBits'(i);
-    assign inside[i] = !at[ColumnBits-1] && at < key_size;
+    assign is_inside[i] = !at[ColumnBits-1] && at < key_size;
   end
 
   assign first_inside = first[ColumnBits-1] ? '0 : first;
@@ -61,7 +61,7 @@ module hs_key_place #(
                  + {{(PlaceBits - VectorBits) {vector_i[VectorBits-1]}}, vector_i} - Half;
 
       first_o <= first[3:0];
-      inside_o <= inside;
+      inside_o <= is_inside;
       tile_first_o <= TileBits'(first_inside >> 3);
       tile_last_o <= TileBits'(last_inside >> 3);
       fraction_o <= place_q[FractionBits-1:0];
