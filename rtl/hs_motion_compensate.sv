@@ -4,7 +4,7 @@
 //
 // Interval 1, while the caches of both keys hold the pixels that a word takes. Where one lacks a tile,
 // words wait for it, 1 + (8 / KeySide)² cycles; the two keys fetch at the same time.
-// Latency from a word of motion to its pixel: 10 cycles, 16 with weights.
+// Latency from a word of motion to its pixel: 9 cycles, 15 with weights.
 // Stages: place, two | check | read | taps, two | weighted sums, six | blend, four, the last one the
 // word that is sent.
 // Stall: while a pixel is not taken everything but a fetch stops.

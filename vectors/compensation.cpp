@@ -158,6 +158,8 @@ CompensatedFrame compensate(const CompensationInput& input, const Config& config
     result.fills += std::max(requests[0].size() - before[0], requests[1].size() - before[1]);
   }
   result.misses = {requests[0].size(), requests[1].size()};
+  const std::size_t latency = config.filter == KeyFilter::kNearest ? 9 : 15;
+  result.cycles = motion.size() + (1 + blocks_a_tile(N)) * result.fills + latency;
   if (streams) {
     KeyWeightWord<F> weight;
     weight.weight = frame.weight;

@@ -101,6 +101,7 @@ std::vector<NamedCompensation> compensation_frames(const Config& config, std::ui
   frames.back().weight = 0;
   frames.push_back(make.frame("patches, in order", 27 * s / std::min(s, 2), 22 * s / std::min(s, 2), 5, 2, 0, false));
   frames.push_back(make.frame("small patches, extreme colours and differences", 21 * s, 18 * s, 2, 2, 400, true));
+  frames.push_back(warm_frame(config, 1000, seed));
   frames.push_back(make.frame("anywhere", 70 * s, 50 * s, 7, 30, 120, false));
   frames.push_back(make.frame("the largest frame", config.width, config.height, 16, 1 << config.vector_range, 60, true));
   return frames;

@@ -191,11 +191,14 @@ std::string write_compensation_set(const std::string& folder, const VectorSetOpt
   const auto engine = make_engine(options.configuration, options.lanes);
   Json described = Json::array();
   for (const NamedCompensation& frame : frames) {
+    const CompensatedFrame done = compensator.run(frame.input());
     described.push_back({{"width", frame.width},
                          {"height", frame.height},
                          {"background", {0, 0, 0}},
                          {"triangles", 0},
-                         {"note", frame.note}});
+                         {"note", frame.note},
+                         {"misses", done.misses},
+                         {"cycles", done.cycles}});
   }
   const auto capture = [&](std::size_t n, const WordSink& sink) {
     std::vector<CompensationWords> streams;
