@@ -63,20 +63,28 @@ module hs_key_cache #(
     assign y_has = y_first || y_last_i[0] == 1'(s / 2);
     assign tile = {x_first ? x_first_i : x_last_i, y_first ? y_first_i : y_last_i};
     assign tiles[s*TagBits +: TagBits] = tile;
+    always_ff @(posedge clk_i) begin
+      if (request_valid_o && request_ready_i && slot == 2'(s)) begin
+        tags_q[s*TagBits +: TagBits] <= tile;
+      end
+    end
     assign miss[s] = area_valid_i && x_has && y_has
                      && !(valid_q[s] && tags_q[s*TagBits +: TagBits] == tile);
   end
 
   always_comb begin
     slot = 2'd3;
-    for (int unsigned s = 4; s > 0; s--) begin
-      if (miss[s-1]) slot = 2'(s - 1);
+    request_o = tiles[3*TagBits +: TagBits];
+    for (int unsigned s = 3; s > 0; s--) begin
+      if (miss[s-1]) begin
+        slot = 2'(s - 1);
+        request_o = tiles[(s-1)*TagBits +: TagBits];
+      end
     end
   end
 
   assign hit_o = miss == '0;
   assign request_valid_o = !hit_o && !filling_q;
-  assign request_o = tiles[slot*TagBits +: TagBits];
   assign block_ready_o = filling_q;
   assign last_block = &count_q;
 
@@ -102,10 +110,7 @@ module hs_key_cache #(
   end
 
   always_ff @(posedge clk_i) begin
-    if (request_valid_o && request_ready_i) begin
-      slot_q <= slot;
-      tags_q[slot*TagBits +: TagBits] <= request_o;
-    end
+    if (request_valid_o && request_ready_i) slot_q <= slot;
   end
 
   // --- Banks ---

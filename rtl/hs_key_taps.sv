@@ -32,12 +32,20 @@ module hs_key_taps #(
   logic [Taps*Taps-1:0] match_q;
   logic [3*Taps*Taps*ColourBits-1:0] colours_q;
 
+  // The banks, a power of two of bits apart.
+  localparam int unsigned Places = $clog2(PixelBits);
+  logic [(Side*Side<<Places)-1:0] banks;
+  for (genvar bank = 0; bank < Side * Side; bank++) begin : gen_bank
+    assign banks[bank<<Places +: 1<<Places] =
+        (1 << Places)'(pixels_i[bank*PixelBits +: PixelBits]);
+  end
+
   for (genvar i = 0; i < Taps * Taps; i++) begin : gen_tap
     logic [SideBits-1:0] column, row;
     logic [PixelBits-1:0] pixel;
     assign column = column_i + SideBits'(i % Taps);
     assign row = row_i + SideBits'(i / Taps);
-    assign pixel = pixels_i[{row, column}*PixelBits +: PixelBits];
+    assign pixel = banks[{row, column, Places'(0)} +: PixelBits];
     always_ff @(posedge clk_i) begin
       if (en_i) begin
         match_q[i] <= active_i && inside_x_i[i%Taps] && inside_y_i[i/Taps]

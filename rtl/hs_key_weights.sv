@@ -19,15 +19,28 @@ module hs_key_weights #(
   logic [InnerBits-1:0] inner_q;
   logic [TapWeightBits-1:0] inner;
 
+  // The tables, their entries a power of two of bits apart.
+  localparam int unsigned InnerPlaces = $clog2(InnerBits), OuterPlaces = $clog2(OuterBits);
+  logic [(1<<(FractionBits+InnerPlaces))-1:0] inner_entries;
+  for (genvar i = 0; i < 1 << FractionBits; i++) begin : gen_inner_entry
+    assign inner_entries[i<<InnerPlaces +: 1<<InnerPlaces] =
+        (1 << InnerPlaces)'(hs_formats_pkg::KeyInnerTable[i*InnerBits +: InnerBits]);
+  end
+
   always_ff @(posedge clk_i) begin
-    if (en_i) inner_q <= hs_formats_pkg::KeyInnerTable[fraction_i*InnerBits +: InnerBits];
+    if (en_i) inner_q <= inner_entries[{fraction_i, InnerPlaces'(0)} +: InnerBits];
   end
   assign inner = TapWeightBits'(inner_q);
 
   if (Taps == 4) begin : gen_outer
+    logic [(1<<(FractionBits+OuterPlaces))-1:0] outer_entries;
     logic [OuterBits-1:0] outer_q;
+    for (genvar i = 0; i < 1 << FractionBits; i++) begin : gen_outer_entry
+      assign outer_entries[i<<OuterPlaces +: 1<<OuterPlaces] =
+          (1 << OuterPlaces)'(hs_formats_pkg::KeyOuterTable[i*OuterBits +: OuterBits]);
+    end
     always_ff @(posedge clk_i) begin
-      if (en_i) outer_q <= hs_formats_pkg::KeyOuterTable[fraction_i*OuterBits +: OuterBits];
+      if (en_i) outer_q <= outer_entries[{fraction_i, OuterPlaces'(0)} +: OuterBits];
     end
     assign weights_o = all_i ? outer_q : OuterBits'({inner, TapWeightBits'(0)});
   end else begin : gen_inner
