@@ -285,7 +285,7 @@ TEST(Weights, CostNoMoreThanTheirBound) {
   for (const KeyFilter filter : {KeyFilter::kBilinear, KeyFilter::kArea, KeyFilter::kBicubic}) {
     for (int w = 2; w <= 8; ++w) {
       const Config config = with(filter, 6, w, 1, 1);
-      const double full = 255, bound = full * std::ldexp(filter == KeyFilter::kBicubic ? 3.75 : 1, -w);
+      const double full = 255, bound = full * std::ldexp(filter == KeyFilter::kBicubic ? 4 : 1, -w);
       const Worst worst = worst_colours(config);
       const bool is_exact = filter == KeyFilter::kBilinear && w >= 6;
       EXPECT_LE(worst.error, is_exact ? 1e-9 : bound);
