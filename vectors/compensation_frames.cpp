@@ -60,7 +60,7 @@ class Maker {
     const int one = c_.samples << c_.vector_fraction, half = 1 << (c_.vector_fraction - 1);
     const int at_x = std::clamp(((2 * x + 1) * half + v.x) / one, 0, key.width - 1);
     const int at_y = std::clamp(((2 * y + 1) * half + v.y) / one, 0, key.height - 1);
-    out.face = one_in(4) ? std::uint32_t(below(6)) : key.face[std::size_t(at_y) * key.width + at_x];
+    out.face = one_in(4) ? std::uint32_t(std::min(below(6), most_face())) : key.face[std::size_t(at_y) * key.width + at_x];
     return out;
   }
 
