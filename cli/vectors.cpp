@@ -40,9 +40,30 @@ void add_normals(const Options& options, const vectors::Configuration& configura
   }
 }
 
+void tell(const Options& options, const vectors::Configuration& configuration, const std::string& manifest) {
+  const Json json = Json::parse(manifest);
+  std::size_t words = 0;
+  for (const auto& stream : json["streams"]) words += stream["words"].get<std::size_t>();
+  fmt::print("vectors {} {}: {} frames, {} streams, {} words in {}\n", options.input.scene, configuration.name(),
+             json["frames"].size(), json["streams"].size(), words, options.out);
+  write_json(options.json, json);
+}
+
 void write_vectors(const Options& options) {
   std::vector<vectors::NamedFrame> frames;
   vectors::Configuration configuration = vectors::find_configuration(options.input.config.empty() ? "middle" : options.input.config);
+  if (options.input.scene == "compensation") {
+    vectors::VectorSetOptions set;
+    set.scene = options.input.scene;
+    set.configuration = configuration;
+    set.lanes = options.lanes ? options.lanes : configuration.config().lanes;
+    set.seed = options.seed;
+    Progress progress("vectors " + set.scene);
+    tell(options, configuration,
+         vectors::write_compensation_set(options.out, set, vectors::compensation_frames(configuration.config(), options.seed),
+                                         [&](std::size_t done, std::size_t total) { progress.tell(done, total); }));
+    return;
+  }
   const bool standard = options.input.scene == "standard", largest = options.input.scene == "largest";
   const bool corners = standard || (options.corners && !largest);
   if (!standard && !largest) {
@@ -89,13 +110,7 @@ void write_vectors(const Options& options) {
   Progress progress("vectors " + set.scene);
   const std::string manifest = vectors::write_vector_set(
       options.out, set, frames, [&](std::size_t done, std::size_t total) { progress.tell(done, total); });
-
-  const Json json = Json::parse(manifest);
-  std::size_t words = 0;
-  for (const auto& stream : json["streams"]) words += stream["words"].get<std::size_t>();
-  fmt::print("vectors {} {}: {} frames, {} streams, {} words in {}\n", set.scene, configuration.name(), frames.size(),
-             json["streams"].size(), words, options.out);
-  write_json(options.json, json);
+  tell(options, configuration, manifest);
 }
 
 }  // namespace
@@ -105,8 +120,8 @@ void add_vectors(CLI::App& app, int&) {
   CLI::App* command = app.add_subcommand("vectors", "write the words of every stream between two units");
   command->footer(
       "Annotated corner cases come first, then random frames, then the frame of SCENE; `standard` as SCENE stands\n"
-      "for the first two alone, and `largest` for the largest frame and the last index. Each stream is a text file that\n"
-      "$readmemh reads; manifest.json tells the fields.\n");
+      "for the first two alone, `largest` for the largest frame and the last index, and `compensation` for the unit of that\n"
+      "name in a configuration with motion. Each stream is a text file that $readmemh reads; manifest.json tells the fields.\n");
   add_scene_options(command, options->input);
   command->add_option("--lanes", options->lanes, "pixels a stamp: 1, 2, 4, 8, 16; default: the configuration's");
   command->add_option("--out", options->out, "folder to write")->required();

@@ -18,7 +18,8 @@ TOPS = ["hs_triangle_setup", "hs_shade_setup", "hs_raster_pineda", "hs_ztest_ind
 LIT_TOPS = ["hs_light_units", "hs_pipeline"]
 PHONG_TOPS = ["hs_phong_units", "hs_pipeline"]
 TEXTURE_TOPS = ["hs_texture_units"]  # besides
-MOTION_TOPS = ["hs_motion_units", "hs_pipeline"]
+MOTION_TOPS = ["hs_motion_units", "hs_compensate_units", "hs_pipeline"]
+BESIDE_PIPELINE = ["hs_motion_compensate"]
 LIT_PACKAGE = re.compile(r"\bLights = [1-9]")
 PHONG_PACKAGE = re.compile(r"\bPhong = 1;")
 TEXTURE_PACKAGE = re.compile(r"\bHasTexture = 1;")
@@ -73,14 +74,15 @@ def main():
     for package in packages:
         text = package.read_text()
         tops = PHONG_TOPS if PHONG_PACKAGE.search(text) else LIT_TOPS if LIT_PACKAGE.search(text) else TOPS
-        tops = MOTION_TOPS if MOTION_PACKAGE.search(text) else tops
+        if MOTION_PACKAGE.search(text):
+            tops = MOTION_TOPS
         tops = tops + (TEXTURE_TOPS if TEXTURE_PACKAGE.search(text) else [])
         todo += [(top, package, lanes) for top in tops for lanes in STAMPS]
     for top, package, lanes in todo:
         if output := lint(args, root, package, top, lanes):
             print(f"lint: {top}, {package}, {lanes[0]}x{lanes[1]}:\n{output}")
             faults += 1
-    seen = set().union(*(reached(root, top) for top in TOPS))
+    seen = set().union(*(reached(root, top) for top in TOPS + BESIDE_PIPELINE))
     for path in sorted(root.glob("hs_*.sv")):
         if path.stem not in seen:
             print(f"lint: no unit uses {path}: remove it, or add its unit to TOPS in tb/lint.py")

@@ -34,8 +34,13 @@ halfspace_cosim(low 1 standard TOP netlist STALL 30 SEEDS 1)
 halfspace_cosim(middle 4 standard TOP netlist STALL 30 SEEDS 1)
 halfspace_cosim(high 16 standard TOP netlist STALL 30 SEEDS 1)
 
-# Configurations that nobody named, from files: the package is printed and the bench built from it.
+# Configurations that nobody named, from files: the package is printed and the bench built from it. A fourth argument is another
+# scene than `standard`.
 function(halfspace_cosim_file name lanes top)
+  set(scene standard)
+  if(ARGC GREATER 3)
+    set(scene ${ARGV3})
+  endif()
   set(toml ${CMAKE_CURRENT_SOURCE_DIR}/configs/${name}.toml)
   set(model ${CMAKE_CURRENT_BINARY_DIR}/model_${top}_${name}_${lanes})
   file(GLOB units CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/rtl/hs_*.sv)
@@ -50,7 +55,7 @@ function(halfspace_cosim_file name lanes top)
   add_custom_target(model_${top}_${name}_${lanes} DEPENDS ${model}/bench)
   add_dependencies(all_tests model_${top}_${name}_${lanes})
   add_test(NAME ${top}_file_${name}_${lanes} COMMAND Python3::Interpreter ${cosim_tool} $<TARGET_FILE:halfspace> ${model}/bench
-           ${CMAKE_CURRENT_BINARY_DIR}/${top}_file_${name}_${lanes} standard ${toml} ${lanes} --stall 30 --seeds 3)
+           ${CMAKE_CURRENT_BINARY_DIR}/${top}_file_${name}_${lanes} ${scene} ${toml} ${lanes} --stall 30 --seeds 3)
 endfunction()
 halfspace_cosim_file(odd 4 units)
 halfspace_cosim_file(odd 2 pipeline)

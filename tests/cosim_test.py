@@ -75,6 +75,19 @@ def difference(args, one, options):
     return ""
 
 
+def compensation_difference(frames, one, without_stalls):
+    """Why the tiles that the caches missed, or the cycles where nothing stalls, are not those of the kernel; nothing if they are."""
+    for key in (0, 1):
+        fetched = next(s["words"] for s in one["streams"] if s["name"] == f"key_request_{key}")
+        missed = sum(frame["misses"][key] for frame in frames)
+        if fetched != missed:
+            return f"key {key}: {fetched} tiles are fetched, {missed} in the kernel"
+    cycles = sum(frame["cycles"] for frame in frames)
+    if without_stalls and cycles != one["cycles"]:
+        return f"{one['cycles']} cycles, and {cycles} are a word each, the tiles, and the latency of each frame"
+    return ""
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     for name in ("halfspace", "program", "folder", "scene", "config", "lanes"):
@@ -119,6 +132,11 @@ def main():
             # Counted at the RTL's streams, in the kernels and by the reference; of a scene alone.
             if seed == 1 and one["unit"] == "pipeline" and "--no-corners" in own:
                 why = difference(args, one, [option for option in own[at + 1:] if option != "--no-corners"])
+                if why:
+                    print(why)
+                    return 1
+            if one["unit"] == "motion_compensate":
+                why = compensation_difference(json.loads((folder / "manifest.json").read_text())["frames"], one, args.stall == 0)
                 if why:
                     print(why)
                     return 1

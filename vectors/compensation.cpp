@@ -105,6 +105,15 @@ void check(const CompensationInput& input, const Configuration& configuration) {
       refuse(fmt::format("a key frame is not of {}x{} pixels, one for {} each way: render it in that size", width, height, c.samples));
     }
   }
+  const int most = 1 << (c.vector_range + c.vector_fraction), zero = 1 << c.colour_bits;
+  for (const RawMotion& m : input.motion) {
+    bool fits = m.x >= 0 && m.x < input.width && m.y >= 0 && m.y < input.height && m.face >> c.face_bits == 0;
+    for (const RawKeyVector& v : m.key) {
+      fits = fits && v.x >= -most && v.x < most && v.y >= -most && v.y < most;
+      for (const int d : v.difference) fits = fits && (d == 0 || (c.relight != 0 && d > -zero && d < zero));
+    }
+    if (!fits) refuse(fmt::format("a number of pixel {}, {} has no room in its word: raise vector_range or face_bits", m.x, m.y));
+  }
   if (input.weight < 0 || input.weight > 1 << c.weight_bits) {
     refuse(fmt::format("a weight of {}, and 0 … {} are those of weight_bits: round it", input.weight, 1 << c.weight_bits));
   }
@@ -149,6 +158,8 @@ CompensatedFrame compensate(const CompensationInput& input, const Config& config
     result.fills += std::max(requests[0].size() - before[0], requests[1].size() - before[1]);
   }
   result.misses = {requests[0].size(), requests[1].size()};
+  const std::size_t latency = config.filter == KeyFilter::kNearest ? 9 : 15;
+  result.cycles = motion.size() + (1 + blocks_a_tile(N)) * result.fills + latency;
   if (streams) {
     KeyWeightWord<F> weight;
     weight.weight = frame.weight;

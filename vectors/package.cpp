@@ -5,9 +5,11 @@
 
 #include <algorithm>
 
+#include "hls/key_filter.hpp"
 #include "hls/reciprocal_lookup.hpp"
 #include "hls/reciprocal_sqrt.hpp"
 #include "hls/records.hpp"
+#include "vectors/compensation.hpp"
 #include "vectors/engine.hpp"
 
 namespace halfspace::vectors {
@@ -135,10 +137,38 @@ std::string texture_text(const Config& c, const std::vector<Layout>& layouts) {
                              : "  localparam logic [0:0] InverseTable = '0;\n");
 }
 
+// Entry 0 in the least significant place.
+std::string entries_text(const char* name, const std::vector<std::uint64_t>& entries, int bits) {
+  const int digits = (bits + 3) / 4;
+  std::string text = fmt::format("  localparam logic [{}:0] {} = {{\n   ", int(entries.size()) * bits - 1, name);
+  for (std::size_t i = entries.size(); i-- > 0;) {
+    text += fmt::format(" {}'h{:0{}x}{}", bits, entries[i], digits, i == 0 ? "\n  };\n" : i % 6 == 0 ? ",\n   " : ",");
+  }
+  return text;
+}
+
+// The weights of an axis (hls/key_filter.hpp): of the pixel behind a place; bicubic, of those one further, behind and before it.
+std::string key_tables_text(const Config& c) {
+  const bool is_bicubic = has_motion(c) && c.filter == KeyFilter::kBicubic, has_inner = has_motion(c) && c.filter != KeyFilter::kNearest;
+  std::vector<std::uint64_t> inner, outer;
+  const int g = c.vector_fraction + exact_log2(c.samples), w = c.weight_bits, bits = format_table(c).tap_weight.width;
+  for (int n = 0; n < 1 << g; ++n) {
+    inner.push_back(std::uint64_t(axis_weights(inner_filter(c.filter), n, g, w).tap[2]));
+    const AxisWeights weights = axis_weights(c.filter, n, g, w);
+    std::uint64_t entry = 0;
+    for (const int tap : {3, 2, 0}) entry = entry << bits | (std::uint64_t(weights.tap[tap]) & ((std::uint64_t(1) << bits) - 1));
+    outer.push_back(entry);
+  }
+  const auto none = [](const char* name) { return fmt::format("  localparam logic [0:0] {} = '0;\n", name); };
+  return (has_inner ? entries_text("KeyInnerTable", inner, w + 1) : none("KeyInnerTable")) +
+         (is_bicubic ? entries_text("KeyOuterTable", outer, 3 * bits) : none("KeyOuterTable"));
+}
+
 // Those of frames in between.
 std::string motion_text(const Config& c, const std::vector<Layout>& layouts) {
   const FormatTable t = format_table(c);
   const auto number = [&](int value) { return has_motion(c) ? value : 0; };
+  const int taps = c.filter == KeyFilter::kNearest ? 1 : c.filter == KeyFilter::kBicubic ? 4 : 2;
   return constants_text({{"HasMotion", has_motion(c)},
                          {"Relight", relights(c)},
                          {"FaceBits", number(t.face.width)},
@@ -148,10 +178,29 @@ std::string motion_text(const Config& c, const std::vector<Layout>& layouts) {
                          {"VectorFraction", c.vector_fraction},
                          {"KeyWeightBits", number(t.key_weight.width)},
                          {"DifferenceBits", relights(c) ? t.difference.width : 0},
+                         {"KeyTaps", number(taps)},
+                         {"KeySide", number(key_side(c.filter))},
+                         {"KeyFractionBits", number(c.vector_fraction + exact_log2(c.samples))},
+                         {"KeyPlaceBits", number(t.key_place.width)},
+                         {"TapWeightBits", number(t.tap_weight.width)},
+                         {"KeySumBits", number(t.key_sum.width)},
+                         {"TileXBits", number(t.tile_x.width)},
+                         {"TileYBits", number(t.tile_y.width)},
+                         {"KeyRequestWordBits", word_bits(layouts, "key_request_0")},
+                         {"KeyBlockWordBits", word_bits(layouts, "key_block_0")},
+                         {"CompensatedWordBits", word_bits(layouts, "compensated")},
                          {"DifferencePlaneBits", relights(c) ? t.difference_plane.width : 0},
                          {"MotionVectorsWordBits", word_bits(layouts, "motion_vectors")},
                          {"MotionPlanesWordBits", word_bits(layouts, "motion_planes")},
-                         {"MotionWordBits", word_bits(layouts, "motion")}});
+                         {"MotionWordBits", word_bits(layouts, "motion")}}) +
+         key_tables_text(c);
+}
+
+// Those of motion_compensate besides, which is no part of an engine.
+std::vector<Layout> motion_layouts(const Configuration& configuration, std::vector<Layout> layouts) {
+  if (!has_motion(configuration.config())) return layouts;
+  for (const Layout& layout : Compensator(configuration).layouts()) layouts.push_back(layout);
+  return layouts;
 }
 
 }  // namespace
@@ -226,7 +275,7 @@ std::string formats_package(const Configuration& configuration) {
       "// and hls/records.hpp: change those, not this file.\n"
       "package hs_formats_pkg;\n\n",
       configuration.name());
-  text += constants_text(constants) + lighting_text(c, layouts) + texture_text(c, layouts) + motion_text(c, layouts) + "\n";
+  text += constants_text(constants) + lighting_text(c, layouts) + texture_text(c, layouts) + motion_text(c, motion_layouts(configuration, layouts)) + "\n";
   for (const Type& type : types) {
     if (type.is_there) text += fmt::format("  typedef {}{}_t;\n", range(type.format.width, type.format.is_signed), type.name);
   }

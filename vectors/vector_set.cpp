@@ -33,6 +33,10 @@ const std::map<std::string, Ends> kEnds = {
     {"colours", {"light_vertex", "shade_setup", ""}},     {"visible_attributes", {"visible_select", "shade_setup", ""}},
     {"texture", {"host", "shade_texture", ""}},           {"texel", {"host", "shade_texture", ""}},
     {"texture_coordinates", {"geometry", "texture_setup", ""}},
+    {"key_weight", {"host", "motion_compensate", ""}},
+    {"key_request_0", {"motion_compensate", "key_memory", ""}}, {"key_request_1", {"motion_compensate", "key_memory", ""}},
+    {"key_block_0", {"key_memory", "motion_compensate", ""}}, {"key_block_1", {"key_memory", "motion_compensate", ""}},
+    {"compensated", {"motion_compensate", "frame", ""}},
     {"texture_planes", {"texture_setup", "tdbs", ""}},    {"lit", {"shade_gouraud", "shade_texture", "scan"}},
     {"motion_vectors", {"geometry", "motion_setup", ""}}, {"motion_planes", {"motion_setup", "tdbs", ""}},
     {"motion", {"motion_field", "motion_compensate", ""}},
@@ -116,6 +120,48 @@ class HexFile {
   std::vector<std::size_t> frame_words_;
 };
 
+// The files of a set: `capture` gives a frame's words to its sink, `described` the frames' entries in the manifest.
+std::string write_streams(const std::string& folder, const VectorSetOptions& options, int lanes_x, int lanes_y,
+                          const std::vector<Layout>& layouts, const Json& described,
+                          const std::function<void(std::size_t, const WordSink&)>& capture,
+                          const std::function<void(std::size_t, std::size_t)>& progress) {
+  const Configuration& configuration = options.configuration;
+  StagedFolder staged(folder);
+  std::map<std::string, HexFile> files;
+  for (const Layout& layout : layouts) {
+    files.emplace(layout.stream, HexFile(staged.path(layout.stream + ".hex"), layout, configuration.config()));
+    files.at(layout.stream).comment(fmt::format("{} {} lanes {}: {} bits a word", layout.stream, configuration.name(),
+                                                options.lanes, layout.bits));
+  }
+  const WordSink sink = [&](const Layout& layout, const Word* words, std::size_t count) {
+    files.at(layout.stream).words(words, count);
+  };
+  for (std::size_t n = 0; n < described.size(); ++n) {
+    for (auto& [name, file] : files) {
+      file.comment(fmt::format("frame {}: {}, {}x{}", n, described[n]["note"].get<std::string>(), described[n]["width"].get<int>(),
+                               described[n]["height"].get<int>()));
+    }
+    capture(n, sink);
+    if (progress) progress(n + 1, described.size());
+  }
+
+  Json streams = Json::array();
+  for (const Layout& layout : layouts) streams.push_back(files.at(layout.stream).close());
+  Json manifest = {{"format", "halfspace-vectors 1"},
+                   {"scene", options.scene},
+                   {"config", configuration.name()},
+                   {"lanes_x", lanes_x},
+                   {"lanes_y", lanes_y},
+                   {"seed", options.seed},
+                   {"frames", described},
+                   {"streams", streams}};
+  if (options.window != 0) manifest["window"] = options.window;
+  const std::string text = manifest.dump(1) + "\n";
+  staged.write("manifest.json", text);
+  staged.commit();
+  return text;
+}
+
 }  // namespace
 
 std::string write_vector_set(const std::string& folder, const VectorSetOptions& options,
@@ -125,51 +171,45 @@ std::string write_vector_set(const std::string& folder, const VectorSetOptions& 
   const Configuration& configuration = options.configuration;
   const auto engine = make_engine(configuration, options.lanes);
   engine->reuse_indices(options.window);
-  const std::vector<Layout> layouts = engine->layouts();
-  StagedFolder staged(folder);
-  std::map<std::string, HexFile> files;
-  for (const Layout& layout : layouts) {
-    files.emplace(layout.stream, HexFile(staged.path(layout.stream + ".hex"), layout, configuration.config()));
-    files.at(layout.stream).comment(fmt::format("{} {} lanes {}: {} bits a word", layout.stream, configuration.name(),
-                                                options.lanes, layout.bits));
+  Json described = Json::array();
+  for (const NamedFrame& frame : frames) {
+    described.push_back({{"width", frame.scene.width},
+                         {"height", frame.scene.height},
+                         {"background", frame.scene.background},
+                         {"triangles", frame.scene.triangles.size()},
+                         {"note", frame.note}});
   }
-
-  Json frame_list = Json::array();
-  for (std::size_t n = 0; n < frames.size(); ++n) {
-    const ref::SnappedList& scene = frames[n].scene;
-    for (auto& [name, file] : files) {
-      file.comment(fmt::format("frame {}: {}, {}x{}", n, frames[n].note, scene.width, scene.height));
-    }
-    const WordSink sink = [&](const Layout& layout, const Word* words, std::size_t count) {
-      files.at(layout.stream).words(words, count);
-    };
+  const auto capture = [&](std::size_t n, const WordSink& sink) {
     if (has_lighting(configuration.config())) engine->light(frames[n].lighting);
     if (has_texture(configuration.config())) engine->texture(frames[n].texture);
     if (has_motion(configuration.config())) engine->move(frames[n].motion);
-    engine->capture(scene, sink);
-    frame_list.push_back({{"width", scene.width},
-                          {"height", scene.height},
-                          {"background", scene.background},
-                          {"triangles", scene.triangles.size()},
-                          {"note", frames[n].note}});
-    if (progress) progress(n + 1, frames.size());
-  }
+    engine->capture(frames[n].scene, sink);
+  };
+  return write_streams(folder, options, engine->lanes_x(), engine->lanes_y(), engine->layouts(), described, capture, progress);
+}
 
-  Json streams = Json::array();
-  for (const Layout& layout : layouts) streams.push_back(files.at(layout.stream).close());
-  Json manifest = {{"format", "halfspace-vectors 1"},
-                   {"scene", options.scene},
-                   {"config", configuration.name()},
-                   {"lanes_x", engine->lanes_x()},
-                   {"lanes_y", engine->lanes_y()},
-                   {"seed", options.seed},
-                   {"frames", frame_list},
-                   {"streams", streams}};
-  if (options.window != 0) manifest["window"] = options.window;
-  const std::string text = manifest.dump(1) + "\n";
-  staged.write("manifest.json", text);
-  staged.commit();
-  return text;
+std::string write_compensation_set(const std::string& folder, const VectorSetOptions& options,
+                                   const std::vector<NamedCompensation>& frames,
+                                   const std::function<void(std::size_t, std::size_t)>& progress) {
+  const Compensator compensator(options.configuration);
+  const auto engine = make_engine(options.configuration, options.lanes);
+  Json described = Json::array();
+  for (const NamedCompensation& frame : frames) {
+    const CompensatedFrame done = compensator.run(frame.input());
+    described.push_back({{"width", frame.width},
+                         {"height", frame.height},
+                         {"background", {0, 0, 0}},
+                         {"triangles", 0},
+                         {"note", frame.note},
+                         {"misses", done.misses},
+                         {"cycles", done.cycles}});
+  }
+  const auto capture = [&](std::size_t n, const WordSink& sink) {
+    std::vector<CompensationWords> streams;
+    compensator.capture(frames[n].input(), streams);
+    for (const CompensationWords& stream : streams) sink(stream.layout, stream.words.data(), stream.words.size());
+  };
+  return write_streams(folder, options, engine->lanes_x(), engine->lanes_y(), compensator.layouts(), described, capture, progress);
 }
 
 }  // namespace halfspace::vectors

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ref/snap.hpp"
+#include "vectors/compensation_frames.hpp"
 #include "vectors/configuration.hpp"
 #include "vectors/lighting.hpp"
 #include "vectors/motion.hpp"
@@ -36,6 +37,11 @@ struct VectorSetOptions {
 std::string write_vector_set(const std::string& folder, const VectorSetOptions& options,
                              const std::vector<NamedFrame>& frames,
                              const std::function<void(std::size_t, std::size_t)>& progress);
+
+// Those of motion_compensate alone, likewise.
+std::string write_compensation_set(const std::string& folder, const VectorSetOptions& options,
+                                   const std::vector<NamedCompensation>& frames,
+                                   const std::function<void(std::size_t, std::size_t)>& progress);
 
 }  // namespace halfspace::vectors
 

@@ -23,7 +23,7 @@ sys.path.insert(0, str(TB))
 from model import LANES_X, Broken, build, run  # noqa: E402
 
 KEYS = ["why", "file", "find", "with", "unit", "says"]
-UNITS = {"hs_units": 6, "hs_light_units": 4, "hs_phong_units": 4, "hs_texture_units": 2, "hs_motion_units": 2}  # that a top has
+UNITS = {"hs_units": 6, "hs_light_units": 4, "hs_phong_units": 4, "hs_texture_units": 2, "hs_motion_units": 2, "hs_compensate_units": 1}  # that a top has
 BENCH = re.compile(r"^bench (\w+) \S+ \w+: (\d+) words on \d+ streams compared, (\d+) mismatches, \d+ cycles$",
                    re.MULTILINE)
 FAIL = re.compile(r"^FAIL (\w+): (.*)$", re.MULTILINE)
@@ -110,12 +110,13 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     vectors = parser.add_mutually_exclusive_group(required=True)
     vectors.add_argument("--vectors", type=pathlib.Path, help="a vector set of --config and --lanes")
-    vectors.add_argument("--halfspace", type=pathlib.Path, help="the program, to make the standard set with")
+    vectors.add_argument("--halfspace", type=pathlib.Path, help="the program, to make a set with")
     parser.add_argument("--work", type=pathlib.Path, required=True, help="folder for the copies; what failed stays there")
     parser.add_argument("--library", type=pathlib.Path, action="append", required=True,
                         help="the harness and Verilator's library, in this order: --library A.a --library B.a")
     parser.add_argument("--rtl", type=pathlib.Path, default=TB.parent / "rtl")
     parser.add_argument("--faults", type=pathlib.Path, default=HERE / "faults.txt", help="default: %(default)s")
+    parser.add_argument("--scene", default="standard", help="of the vectors (default: %(default)s)")
     parser.add_argument("--config", default="low", help="with --package: a .toml file")
     parser.add_argument("--top", default="hs_units", choices=sorted(UNITS), help="default: %(default)s")
     parser.add_argument("--package", type=pathlib.Path, help="of a configuration that has none in rtl/")
@@ -130,7 +131,7 @@ def main():
         faults = read_faults(args.faults)
         if args.halfspace:
             args.vectors = args.work / "vectors"
-            run([args.halfspace, "vectors", "standard", "--config", args.config, "--lanes", args.lanes,
+            run([args.halfspace, "vectors", args.scene, "--config", args.config, "--lanes", args.lanes,
                  "--out", args.vectors], "halfspace vectors")
     except Broken as e:
         print(f"faults: {e}", file=sys.stderr)

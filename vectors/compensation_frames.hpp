@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Frames for motion_compensate alone, each with what it is for: neither pictures nor anything that moves.
+#ifndef HALFSPACE_VECTORS_COMPENSATION_FRAMES_HPP_
+#define HALFSPACE_VECTORS_COMPENSATION_FRAMES_HPP_
+
+#include <string>
+#include <vector>
+
+#include "vectors/compensation.hpp"
+
+namespace halfspace::vectors {
+
+struct NamedCompensation {
+  std::string note;
+  int width = 0, height = 0;
+  std::array<KeyFrame, 2> key;
+  std::vector<RawMotion> motion;
+  int weight = 0;
+
+  CompensationInput input() const { return {width, height, {&key[0], &key[1]}, motion, weight}; }
+};
+
+std::vector<NamedCompensation> compensation_frames(const Config& config, std::uint64_t seed);
+
+// `words` pixels of key frames of four tiles: a cache that has them misses nothing more.
+NamedCompensation warm_frame(const Config& config, int words, std::uint64_t seed);
+
+}  // namespace halfspace::vectors
+
+#endif  // HALFSPACE_VECTORS_COMPENSATION_FRAMES_HPP_
