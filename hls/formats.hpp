@@ -139,8 +139,8 @@ constexpr FormatTable motion_formats(const Config& c, FormatTable t) {
   const int head = c.colour_bits + int(c.filter == KeyFilter::kBicubic) + int(relights(c)) + 1;
   t.key_sum = {head + 2 * w, head, true};
   t.key_blend = {head + 3 * w, head, true};  // a mean of two of them
-  // A difference of colours plus 2^c is a whole number without a sign, as the other channels are.
-  const ChannelFormats difference = channel_formats(c, c.colour_bits + 1, c.colour_fraction);
+  // A difference of colours plus 2^c, in units of 2^−d, is a whole number without a sign, as the other channels are.
+  const ChannelFormats difference = channel_formats(c, difference_bits(c), c.colour_fraction);
   t.difference = difference.value;
   t.difference_plane = difference.plane;
   t.difference_gradient = difference.gradient;

@@ -75,8 +75,8 @@ Rows:
   }
   KeyColour<F> out = filtered_key<F>(weights, taps, place_x & mask, place_y & mask);
   if (F::kRelights) {
-    const std::int64_t zero = std::int64_t(1) << F::kColourBits;
-    const int places = 2 * F::kWeightBits;
+    const std::int64_t zero = std::int64_t(1) << (F::kColourBits + kDifferenceFraction);
+    const int places = 2 * F::kWeightBits - kDifferenceFraction;
     out.r = from_raw<typename F::KeySum>(std::int64_t(raw(out.r)) + (std::int64_t(raw(v.r)) - zero) * (1 << places));
     out.g = from_raw<typename F::KeySum>(std::int64_t(raw(out.g)) + (std::int64_t(raw(v.g)) - zero) * (1 << places));
     out.b = from_raw<typename F::KeySum>(std::int64_t(raw(out.b)) + (std::int64_t(raw(v.b)) - zero) * (1 << places));

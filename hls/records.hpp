@@ -222,7 +222,7 @@ struct KeyPlaces {
   typename F::Origin origin_x, origin_y;
   typename F::Extent extent;  // e
   typename F::Coordinate s[3], t[3], q[3];
-  typename F::Difference r[3], g[3], b[3];  // F::kRelights: colour in between less that at the key, plus 2^c
+  typename F::Difference r[3], g[3], b[3];  // F::kRelights: colour in between less that at the key, plus 2^c, in units of 2^−d
 };
 
 // geometry → motion_setup, with F::kHasMotion, in answer to a Visible that says so.
@@ -320,7 +320,7 @@ template <class F>
 struct KeyVector {
   Bit there;                       // 0: the point has no place in the key frame, or the vector does not fit, and is 0
   typename F::Vector x, y;
-  typename F::Difference r, g, b;  // F::kRelights: colour in between less that at the key, plus 2^c
+  typename F::Difference r, g, b;  // F::kRelights: colour in between less that at the key, plus 2^c, in units of 2^−d
 };
 
 // motion_field → motion buffer → motion_compensate: a word a covered pixel. A frame whose last stamp covers nothing ends with a

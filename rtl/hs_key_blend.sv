@@ -34,11 +34,13 @@ module hs_key_blend #(
   logic unused_bits;
 
   if (Relight != 0) begin : gen_relight
+    // A difference has fraction bits, and a sign.
+    localparam int unsigned Places = 2 * WeightBits - (DifferenceBits - ColourBits - 1);
     localparam logic [SumBits-1:0] Zero = SumBits'(1) << (ColourBits + 2 * WeightBits);
     always_ff @(posedge clk_i) begin
       if (en_i) begin
-        key_0_q <= key_0_i + (SumBits'(difference_0_i) << (2 * WeightBits)) - Zero;
-        key_1_q <= key_1_i + (SumBits'(difference_1_i) << (2 * WeightBits)) - Zero;
+        key_0_q <= key_0_i + (SumBits'(difference_0_i) << Places) - Zero;
+        key_1_q <= key_1_i + (SumBits'(difference_1_i) << Places) - Zero;
       end
     end
   end else begin : gen_as_lit

@@ -176,7 +176,7 @@ TEST(Compensation, ClampsWhatRelightingAdds) {
     frame.weight = 20;
     frame.motion = {still(1, 2, 1)};
     frame.motion[0].key[0].x = 9;
-    for (auto& v : frame.motion[0].key) v.difference.fill(difference);
+    for (auto& v : frame.motion[0].key) v.difference.fill(difference * (1 << kDifferenceFraction));
     const CompensatedPixel got = compensator(config).run(frame.input()).pixels[0];
     EXPECT_EQ(got.rgb, (std::array<std::uint8_t, 3>{std::uint8_t(want), std::uint8_t(want), std::uint8_t(want)})) << colour << difference;
   }
@@ -308,7 +308,7 @@ TEST(Weights, CostNoMoreThanTheirBound) {
       frame.motion[0].key[0].x = worst.x, frame.motion[0].key[0].y = worst.y;
       const CompensationModel::Pixel exact = CompensationModel(config, true).pixel(frame.input(), frame.motion[0]);
       const int shift = 100 - int(std::lround(exact.value[0]));
-      for (auto& v : frame.motion[0].key) v.difference.fill(shift);
+      for (auto& v : frame.motion[0].key) v.difference.fill(shift * (1 << kDifferenceFraction));
       const double got = compensator(config).run(frame.input()).pixels[0].rgb[0];
       EXPECT_LE(std::fabs(got - shift - exact.value[0]), worst.error + 0.5);
       EXPECT_GE(std::fabs(got - shift - exact.value[0]), worst.error - 0.5);

@@ -7,7 +7,7 @@ list(FILTER tops EXCLUDE REGEX
      "/(light_vertex|visible_select|shade_setup_lit|phong_setup|shade_phong|texture_setup|shade_texture|motion_setup|motion_field|motion_compensate)_top")  # lighting.cmake, texture.cmake
 foreach(config IN ITEMS GouraudOnly FlatDepth FlatOnly Gamma)
   halfspace_tops_test(tops_test_${config} tops_test.cpp ${config} feature_configs.hpp ${tops})
-  set_target_properties(tops_${config} PROPERTIES UNITY_BUILD ON)
+  set_target_properties(tops_tops_test_${config} PROPERTIES UNITY_BUILD ON)
 endforeach()
 
 foreach(name IN ITEMS gouraud_only flat_depth flat_only gamma gamma_flat)

@@ -338,7 +338,7 @@ TEST_P(MotionFieldTest, AwkwardWordsAreWithinTheBound) {
         const int s = config_.subpixel_bits;
         const auto weight = ref::vertex_weights(t, ref::pixel_centre(word.x, s), ref::pixel_centre(word.y, s));
         for (int c = 0; c < 3; ++c) {
-          double difference = -std::ldexp(1.0, config_.colour_bits);
+          double difference = -std::ldexp(1.0, difference_bits(config_) - 1);
           for (int v = 0; v < 3; ++v) difference += weight[v] * words.difference[c][v];
           const double error = std::abs(word.key[key].difference[c] - difference);
           const double limit = vectors::difference_bound(config_, exact.distance) + kTiny;

@@ -78,7 +78,7 @@ Motion<F> motion_record(const RawMotion& in, bool last) {
   out.face = from_raw<F::Face>(in.face);
   for (int k = 0; k < kKeys; ++k) {
     const RawKeyVector& v = in.key[std::size_t(k)];
-    const int zero = 1 << F::kColourBits;
+    const int zero = 1 << (F::kColourBits + kDifferenceFraction);
     out.key[k].there = from_raw<Bit>(v.there);
     out.key[k].x = from_raw<F::Vector>(v.x);
     out.key[k].y = from_raw<F::Vector>(v.y);
@@ -105,7 +105,7 @@ void check(const CompensationInput& input, const Configuration& configuration) {
       refuse(fmt::format("a key frame is not of {}x{} pixels, one for {} each way: render it in that size", width, height, c.samples));
     }
   }
-  const int most = 1 << (c.vector_range + c.vector_fraction), zero = 1 << c.colour_bits;
+  const int most = 1 << (c.vector_range + c.vector_fraction), zero = 1 << (difference_bits(c) - 1);
   for (const RawMotion& m : input.motion) {
     bool fits = m.x >= 0 && m.x < input.width && m.y >= 0 && m.y < input.height && m.face >> c.face_bits == 0;
     for (const RawKeyVector& v : m.key) {

@@ -42,7 +42,7 @@ class Maker {
   }
 
   int difference(bool extreme) {
-    const int most = (1 << c_.colour_bits) - 1;
+    const int most = (1 << (difference_bits(c_) - 1)) - 1;
     return c_.relight == 0 ? 0 : extreme || one_in(8) ? (below(3) - 1) * most : below(2 * most + 1) - most;
   }
 

@@ -67,7 +67,8 @@ MotionFrame motion_frame(const ref::Between& between, const Config& config, cons
         for (int v = 0; v < 3; ++v) {
           const double full = double((1 << config.colour_bits) - 1);
           const double difference = change[key].empty() ? 0 : change[key][k][v][c] * full / 255;
-          out.key[key].difference[c][v] = int(std::floor(difference + 0.5)) + (1 << config.colour_bits);
+          out.key[key].difference[c][v] =
+              int(std::floor(std::ldexp(difference, kDifferenceFraction) + 0.5)) + (1 << (difference_bits(config) - 1));
         }
       }
     }

@@ -10,7 +10,7 @@ MotionFrame awkward_motion(std::size_t triangles, const Config& config, std::uin
   std::mt19937_64 random(seed);
   const auto below = [&](std::int64_t n) { return int(random() % std::uint64_t(n)); };
   const int full = (1 << config.coordinate_bits) - 1, faces = (1 << config.face_bits) - 1;
-  const int range = 1 << (config.range_bits - 1), differences = 2 << config.colour_bits;
+  const int range = 1 << (config.range_bits - 1), differences = 1 << difference_bits(config);
   MotionFrame frame;
   for (std::size_t k = 0; k < triangles; ++k) {
     RawMotionVectors& out = frame.triangles.emplace_back();

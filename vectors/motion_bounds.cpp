@@ -17,7 +17,7 @@ double motion_vertex_bound(const Config& config, int extent, double spread, doub
 
 double difference_bound(const Config& config, double distance) {
   // As coordinate_plane_bound, and the rounding.
-  return 0.5 + std::ldexp(1.0, config.colour_bits + 1 - config.reciprocal_bits) + std::ldexp(distance / 2 + 1, -config.colour_fraction);
+  return 0.5 + std::ldexp(1.0, difference_bits(config) - config.reciprocal_bits) + std::ldexp(distance / 2 + 1, -config.colour_fraction);
 }
 
 }  // namespace halfspace::vectors

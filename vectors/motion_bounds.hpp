@@ -16,7 +16,7 @@ double motion_bound(const Config& config, int extent, double part, double q, dou
 // units of 2^extent, `least` the least of the three q.
 double motion_vertex_bound(const Config& config, int extent, double spread, double q, double least);
 
-// Of a plane of colour differences, rounded, in LSB.
+// Of a plane of colour differences, rounded, in units of 2^−kDifferenceFraction LSB.
 double difference_bound(const Config& config, double distance);
 
 }  // namespace halfspace::vectors

@@ -11,7 +11,7 @@ namespace halfspace::vectors {
 struct RawKeyVector {
   bool there = false;
   int x = 0, y = 0;                 // multiples of 2^−vector_fraction pixels in between
-  std::array<int, 3> difference{};  // with relight: the colour in between less the key's, −(2^c − 1) … 2^c − 1
+  std::array<int, 3> difference{};  // with relight: the colour in between less the key's, in 2^−kDifferenceFraction
 };
 
 struct RawMotion {
