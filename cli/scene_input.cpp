@@ -89,7 +89,7 @@ vectors::TextureFrame texture_of(const LoadedScene& loaded) {
 }
 
 vectors::MotionFrame motion_of(const LoadedScene& loaded) {
-  return vectors::motion_frame(*loaded.between, loaded.configuration.config());
+  return vectors::motion_frame(*loaded.between, loaded.configuration.config(), loaded.change);
 }
 
 std::unique_ptr<vectors::Engine> kernels_of(const LoadedScene& loaded, int lanes) {
@@ -124,10 +124,8 @@ ref::Frame reference_of(const LoadedScene& loaded) {
   return frame_of(list, ref::draw(list, *surface, ref::Architecture::kDelta));
 }
 
-namespace {
-
-// "T0:T1", T0 before T1. Throws ref::Error.
-ref::OfKeys<double> parse_interval(const SceneInput& input) {
+// "T0:T1", T0 before T1.
+ref::OfKeys<double> interval_of(const SceneInput& input) {
   const std::string& text = input.interval;
   ref::OfKeys<double> times{};
   const char* const end = text.data() + text.size();
@@ -143,22 +141,31 @@ ref::OfKeys<double> parse_interval(const SceneInput& input) {
   return times;
 }
 
+namespace {
+
 // The triangles in between, by their exact positions.
 LoadedScene load_between(const SceneInput& input, const vectors::Configuration& configuration) {
   if (input.interval.empty() || ref::is_tri_file(input.scene)) {
     throw ref::Error(fmt::format("{}: configuration {} is of frames between key frames: name an animated scene, and the times by --time and "
                                  "--interval T0:T1", input.scene, configuration.name()));
   }
-  const ref::OfKeys<double> times = parse_interval(input);
+  const ref::OfKeys<double> times = interval_of(input);
   const ref::RasterFormat format = vectors::raster_format(configuration);
   const FrameSize size = input.size.empty() ? FrameSize{format.width, format.height} : parse_size(input.size);
   const auto scene = std::make_shared<ref::Scene>(ref::load_scene(input.scene, input.time));
   const ref::View view{size.width, size.height, format.range_bits, format.subpixel_bits};
-  const auto between = std::make_shared<ref::Between>(
-      ref::follow(ref::MotionMethod::kExact, ref::load_scene(input.scene, times[0]), ref::load_scene(input.scene, times[1]), *scene,
-                  (input.time - times[0]) / (times[1] - times[0]), view));
-  return {snap_scene(input.scene, between->list, format), configuration, [scene](const ref::View& v) { return ref::project(*scene, v); },
-          scene, between};
+  const ref::OfKeys<ref::Scene> keys{ref::load_scene(input.scene, times[0]), ref::load_scene(input.scene, times[1])};
+  const double a = (input.time - times[0]) / (times[1] - times[0]);
+  const auto between = std::make_shared<ref::Between>(ref::follow(ref::MotionMethod::kExact, keys[0], keys[1], *scene, a, view));
+  LoadedScene loaded{snap_scene(input.scene, between->list, format), configuration,
+                     [scene](const ref::View& v) { return ref::project(*scene, v); }, scene, between};
+  if (!relights(configuration.config())) return loaded;
+  ref::Geometry lit(*scene, view);
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    ref::Geometry key(keys[k], view);
+    loaded.change[k] = ref::light_change(lit, key, format.colour_bits, false);
+  }
+  return loaded;
 }
 
 }  // namespace

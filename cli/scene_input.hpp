@@ -11,6 +11,7 @@
 #include "ref/architecture.hpp"
 #include "ref/motion.hpp"
 #include "ref/raster.hpp"
+#include "ref/relight.hpp"
 #include "ref/scene.hpp"
 #include "ref/surface.hpp"
 #include "vectors/configuration.hpp"
@@ -42,7 +43,11 @@ struct LoadedScene {
   vectors::Projection project;           // the scene as another view sees it
   std::shared_ptr<ref::Scene> scene;     // null of a *.tri
   std::shared_ptr<ref::Between> between;  // of a motion configuration: the triangles of `list`, and where they are in the key frames
+  ref::OfKeys<ref::LightChange> change{};  // of one that relights: what the light changes on them from each key
 };
+
+// The times of the key frames, around that of the input. Throws ref::Error.
+ref::OfKeys<double> interval_of(const SceneInput& input);
 
 // The lights, materials and normals of the triangles. Throws ref::Error where there are none.
 vectors::LightingFrame lighting_of(const LoadedScene& loaded);

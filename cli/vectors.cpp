@@ -12,6 +12,7 @@
 #include "vectors/extremes.hpp"
 #include "vectors/frame_lighting.hpp"
 #include "vectors/standard_set.hpp"
+#include "vectors/up_convert.hpp"
 #include "vectors/vector_set.hpp"
 
 namespace halfspace::cli {
@@ -22,7 +23,7 @@ struct Options {
   int lanes = 0;  // 0: those of the configuration
   std::string out, json;
   std::uint64_t seed = 1;
-  bool corners = true;
+  bool corners = true, compensation = false;
   int random = 4, random_triangles = 60;
 };
 
@@ -49,10 +50,26 @@ void tell(const Options& options, const vectors::Configuration& configuration, c
   write_json(options.json, json);
 }
 
+// A frame between two keys of a scene, as the kernels draw these.
+vectors::NamedCompensation compensation_of(const Options& options, const vectors::Configuration& configuration) {
+  const Config config = configuration.config();
+  const auto times = interval_of(options.input);
+  const FrameSize size = options.input.size.empty() ? FrameSize{config.width, config.height} : parse_size(options.input.size);
+  if (size.width % config.samples != 0 || size.height % config.samples != 0) {
+    throw ref::Error(fmt::format("--size {}: a pixel of a key frame is {} each way of those: take multiples", options.input.size, config.samples));
+  }
+  vectors::KernelUpConverter converter(
+      {size.width / config.samples, size.height / config.samples, vectors::colour_configuration(configuration), configuration});
+  converter.set_keys(ref::load_scene(options.input.scene, times[0]), ref::load_scene(options.input.scene, times[1]));
+  converter.at(ref::load_scene(options.input.scene, options.input.time), (options.input.time - times[0]) / (times[1] - times[0]));
+  const vectors::CompensationInput& in = converter.input();
+  return {options.input.scene, in.width, in.height, {*in.key[0], *in.key[1]}, in.motion, in.weight};
+}
+
 void write_vectors(const Options& options) {
   std::vector<vectors::NamedFrame> frames;
   vectors::Configuration configuration = vectors::find_configuration(options.input.config.empty() ? "middle" : options.input.config);
-  if (options.input.scene == "compensation") {
+  if (options.input.scene == "compensation" || options.compensation) {
     vectors::VectorSetOptions set;
     set.scene = options.input.scene;
     set.configuration = configuration;
@@ -60,7 +77,9 @@ void write_vectors(const Options& options) {
     set.seed = options.seed;
     Progress progress("vectors " + set.scene);
     tell(options, configuration,
-         vectors::write_compensation_set(options.out, set, vectors::compensation_frames(configuration.config(), options.seed),
+         vectors::write_compensation_set(options.out, set,
+                                         options.compensation ? std::vector<vectors::NamedCompensation>{compensation_of(options, configuration)}
+                                                              : vectors::compensation_frames(configuration.config(), options.seed),
                                          [&](std::size_t done, std::size_t total) { progress.tell(done, total); }));
     return;
   }
@@ -133,6 +152,7 @@ void add_vectors(CLI::App& app, int&) {
       ->check(CLI::NonNegativeNumber);
   command->add_option("--window", options->input.window, "use indices of invisible triangles again: a triangle takes that of the one so many before it")
       ->check(CLI::NonNegativeNumber);
+  command->add_flag("--compensation", options->compensation, "the streams of motion_compensate, for a frame of SCENE between the keys of --interval");
   command->add_option("--json", options->json, "file for a copy of the manifest");
   command->callback([options] { write_vectors(*options); });
 }

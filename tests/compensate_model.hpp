@@ -62,7 +62,7 @@ class CompensationModel {
         return std::nullopt;
       }
     }
-    for (std::size_t c = 0; c < 3; ++c) sum[c] += v.difference[c];
+    for (std::size_t c = 0; c < 3; ++c) sum[c] += std::ldexp(double(v.difference[c]), -kDifferenceFraction);
     return sum;
   }
 

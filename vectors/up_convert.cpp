@@ -84,6 +84,17 @@ Configuration motion_configuration(const Configuration& colour, const Config& mo
   return Configuration("motion_" + colour.name(), out);
 }
 
+Configuration colour_configuration(const Configuration& motion) {
+  Config c = motion.config();
+  for (const ConfigField& field : motion_fields()) c.*field.value = 0;
+  c.filter = KeyFilter::kNone;
+  c.mapping = TextureMapping::kAffine;
+  c.shading = Shading::kGouraud;
+  c.colour_fraction = 0;
+  while (c.colour_fraction < 40 && !plane_error_ok(c, c.colour_bits, c.colour_fraction)) ++c.colour_fraction;
+  return Configuration("colour_of_" + motion.name(), c);
+}
+
 KernelUpConverter::KernelUpConverter(const KernelUpConversion& mode)
     : mode_(mode),
       motion_(mode_.motion.config()),

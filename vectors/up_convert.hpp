@@ -22,6 +22,9 @@ Config default_motion(const Config& colour);
 // a coordinate_fraction of 0, and colour_fraction, the least that is accepted. Throws ref::Error for numbers that are refused.
 Configuration motion_configuration(const Configuration& colour, const Config& motion, int width, int height);
 
+// What draws the key frames of a motion configuration: Gouraud shading on the same triangles.
+Configuration colour_configuration(const Configuration& motion);
+
 struct KernelUpConversion {
   int width, height;      // of a frame; even for half a field
   Configuration colour;   // of frames as they are drawn, motion.samples times as large each way
