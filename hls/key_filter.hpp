@@ -108,7 +108,7 @@ struct KeyTaps {
 // What one key makes of a pixel in between.
 template <class F>
 struct KeyColour {
-  bool shown;  // a tap matches
+  bool shown;  // a tap matches that has a weight
   typename F::KeySum r, g, b;
 };
 
@@ -168,8 +168,9 @@ Inner:
     HS_UNROLL
     inner[i] = taps.match[kInner[i]];
   }
-  const int standing = kInner[standing_tap(inner, tx, ty, g)];
-  out.shown = taps.match[standing];
+  const int number = standing_tap(inner, tx, ty, g), standing = kInner[number];
+  // A pixel without weight shows nothing of the place: it lies on the centre of another, or next to it.
+  out.shown = taps.match[standing] && weights.inner[tx].tap[1 + (number & 1)] != 0 && weights.inner[ty].tap[1 + (number >> 1)] != 0;
 Stand:
   for (int i = 0; i < 4; ++i) {
     HS_UNROLL

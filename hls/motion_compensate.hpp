@@ -6,7 +6,8 @@
 //
 // A tap matches if it is in the frame and of the face of the word: others show something else, and would be a smear. Of the inner
 // four the weight of those that do not match goes to the matching one with the largest. A bicubic filter needs all sixteen, and is a
-// bilinear one of the inner four else. Where no tap matches, the key does not show the point.
+// bilinear one of the inner four else. Where no tap with a weight matches, the key does not show
+// the point.
 //
 //   V_k = Σ weights · colours + what the colour in between differs by      exact, 2w fraction bits
 //   both keys: W·V_0 + (1 − W)·V_1;  one: it alone;  none: a hole, which is not filled here

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pixels that a filter takes of a key frame: which of them match, and what stands for those of the
-// inner four that do not (kernel: key_colour in hls/motion_compensate.hpp, standing_tap and filtered_key
-// in hls/key_filter.hpp).
+// The pixels that a filter takes of a key frame: which of them match, whether one of these has a weight,
+// and what stands for those of the inner four that do not (kernel: key_colour in
+// hls/motion_compensate.hpp, standing_tap and filtered_key in hls/key_filter.hpp).
 //
 // Interval 1, latency 2, of cycles in which en_i is 1, which is their only stall.
 module hs_key_taps #(
@@ -70,12 +70,26 @@ module hs_key_taps #(
     localparam int unsigned First = Taps == 4 ? 1 : 0;
     localparam logic [FractionBits-1:0] Half = FractionBits'(1) << (FractionBits - 1);
     logic [FractionBits-1:0] from_x, from_y;
-    logic [1:0] nearest_q, flip_q, standing;
-    logic [3:0] inner;
+    logic [1:0] x_weighted, y_weighted, nearest_q, flip_q, standing;
+    logic [3:0] inner, weighted_q;
     logic [3*ColourBits-1:0] colour;
 
     assign from_x = x_fraction_i[FractionBits-1] ? x_fraction_i - Half : Half - x_fraction_i;
     assign from_y = y_fraction_i[FractionBits-1] ? y_fraction_i - Half : Half - y_fraction_i;
+    // Of the two columns or rows those that rounding leaves a weight: that behind a place from a
+    // fraction on, that before it up to one.
+    localparam int unsigned FirstBehind = hs_formats_pkg::KeyFirstBehind;
+    localparam int unsigned LastBefore = hs_formats_pkg::KeyLastBefore;
+    assign x_weighted[1] = x_fraction_i >= FractionBits'(FirstBehind);
+    assign y_weighted[1] = y_fraction_i >= FractionBits'(FirstBehind);
+    if (LastBefore == (1 << FractionBits) - 1) begin : gen_to_end
+      assign x_weighted[0] = 1'b1;
+      assign y_weighted[0] = 1'b1;
+    end else begin : gen_to_last
+      assign x_weighted[0] = x_fraction_i <= FractionBits'(LastBefore);
+      assign y_weighted[0] = y_fraction_i <= FractionBits'(LastBefore);
+    end
+
     assign inner = {match_q[(First+1)*Taps+First +: 2], match_q[First*Taps+First +: 2]};
 
     always_comb begin
@@ -95,7 +109,8 @@ module hs_key_taps #(
       if (en_i) begin
         nearest_q <= {y_fraction_i[FractionBits-1], x_fraction_i[FractionBits-1]};
         flip_q <= from_x <= from_y ? 2'b01 : 2'b10;
-        shown_o <= inner != '0;
+        weighted_q <= {{2{y_weighted[1]}} & x_weighted, {2{y_weighted[0]}} & x_weighted};
+        shown_o <= (inner & weighted_q) != '0;
         all_o <= &match_q;
       end
     end

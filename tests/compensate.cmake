@@ -32,3 +32,20 @@ endfunction()
 halfspace_compensate_left(motion_low 3 8)
 halfspace_compensate_left(motion_middle 21 8)
 halfspace_compensate_left(motion_high 93 32)
+
+# The netlist of one with each kind of filter; and, with label `long`, each filter in each size with 1 and 4 samples.
+function(halfspace_compensate_matrix name)
+  add_test(NAME ${name} COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/compensate_matrix_test.py $<TARGET_FILE:halfspace>
+    ${CMAKE_CURRENT_BINARY_DIR}/${name} ${ARGN} --jobs 2 --library $<TARGET_FILE:halfspace_tb> --library $<TARGET_FILE:halfspace_verilated>
+    --verilator ${HALFSPACE_VERILATOR} --yosys ${HALFSPACE_YOSYS} --cxx ${CMAKE_CXX_COMPILER})
+  set_tests_properties(${name} PROPERTIES PROCESSORS 2 TIMEOUT 7200)
+endfunction()
+halfspace_compensate_matrix(compensate_netlist low-nearest-4-netlist middle-area-1-netlist high-bicubic-4-netlist)
+set(all "")
+foreach(size IN ITEMS low middle high)
+  foreach(filter IN ITEMS nearest bilinear area bicubic)
+    list(APPEND all ${size}-${filter}-1 ${size}-${filter}-4)
+  endforeach()
+endforeach()
+halfspace_compensate_matrix(compensate_matrix_long ${all})
+set_tests_properties(compensate_matrix_long PROPERTIES LABELS long)

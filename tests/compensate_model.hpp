@@ -132,7 +132,7 @@ class CompensationModel {
     return {key.face[at] == m.face, {double(key.rgb[at][0]), double(key.rgb[at][1]), double(key.rgb[at][2])}};
   }
 
-  // Whether one of them matches. The weight of the others goes to the one with the largest exact weight; of two alike, to the first in
+  // Whether one of them matches that has a weight. The weight of the others goes to the one with the largest exact weight; of two alike, to the first in
   // the order of standing_tap.
   bool of_four(const vectors::CompensationInput& in, const vectors::RawMotion& m, int k, int left, int top, double t, double u,
                Colour& sum) const {
@@ -148,7 +148,7 @@ class CompensationModel {
       const Tap tap = tap_at(in, m, k, left + i, top + j);
       const double weight = columns[std::size_t(1 + i)] * rows[std::size_t(1 + j)];
       const double exact = (i ? t : 1 - t) * (j ? u : 1 - u);
-      if (tap.match && exact > largest) standing = tap, largest = exact;
+      if (tap.match && weight > 0 && exact > largest) standing = tap, largest = exact;
       if (tap.match) add(sum, weight, tap.colour);
       else lost += weight;
     }

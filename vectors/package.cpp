@@ -164,6 +164,14 @@ std::string key_tables_text(const Config& c) {
          (is_bicubic ? entries_text("KeyOuterTable", outer, 3 * bits) : none("KeyOuterTable"));
 }
 
+// The fraction, counted from an end of the table, where tap 1 (before a place) or 2 (behind it) first has a weight.
+int weighted(const Config& c, int tap, int step) {
+  const int g = c.vector_fraction + exact_log2(c.samples);
+  int n = 1;
+  while (n < 1 << g && axis_weights(inner_filter(c.filter), step > 0 ? n : (1 << g) - n, g, c.weight_bits).tap[tap] == 0) ++n;
+  return n;
+}
+
 // Those of frames in between.
 std::string motion_text(const Config& c, const std::vector<Layout>& layouts) {
   const FormatTable t = format_table(c);
@@ -181,6 +189,8 @@ std::string motion_text(const Config& c, const std::vector<Layout>& layouts) {
                          {"KeyTaps", number(taps)},
                          {"KeySide", number(key_side(c.filter))},
                          {"KeyFractionBits", number(c.vector_fraction + exact_log2(c.samples))},
+                         {"KeyFirstBehind", number(weighted(c, 2, 1))},
+                         {"KeyLastBefore", number((1 << (c.vector_fraction + exact_log2(c.samples))) - weighted(c, 1, -1))},
                          {"KeyPlaceBits", number(t.key_place.width)},
                          {"TapWeightBits", number(t.tap_weight.width)},
                          {"KeySumBits", number(t.key_sum.width)},

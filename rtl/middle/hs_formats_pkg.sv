@@ -101,6 +101,8 @@ package hs_formats_pkg;
   localparam int unsigned KeyTaps = 0;
   localparam int unsigned KeySide = 0;
   localparam int unsigned KeyFractionBits = 0;
+  localparam int unsigned KeyFirstBehind = 0;
+  localparam int unsigned KeyLastBefore = 0;
   localparam int unsigned KeyPlaceBits = 0;
   localparam int unsigned TapWeightBits = 0;
   localparam int unsigned KeySumBits = 0;
