@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+// Frames between key frames by the kernels, on every built-in animation: how near they are to the rendered ones, and to what the
+// floating-point reference makes.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "ref/error.hpp"
+#include "ref/quality.hpp"
+#include "vectors/texture.hpp"
+#include "vectors/up_convert.hpp"
+
+namespace halfspace {
+namespace {
+
+using vectors::Configuration;
+using vectors::KernelUpConverter;
+
+constexpr double kRate = 30;
+
+// Of the paper, dB, for the animation that ours stands for; and a key frame after which much moves.
+struct Animation {
+  const char* scene;
+  double printed;
+  int first;
+};
+constexpr Animation kAnimations[] = {{"drone", 36.17, 25},        {"jet", 34.54, 25},          {"cube_zoom", 33.53, 5},
+                                     {"cube_fast", 29.97, 20},    {"cube_slow", 31.05, 20},    {"pyramid_fast", 33.56, 20},
+                                     {"pyramid_slow", 31.54, 20}, {"wheel_in_out", 39.91, 10}, {"wheel_turn", 34.05, 20},
+                                     {"ring_fall", 26.64, 20}};
+
+struct Kind {
+  const char* name;
+  const char* config;
+  bool textured;
+  int samples, width, height;
+  std::vector<int> between;  // of four
+  double least;              // dB, mean over the animations
+};
+
+Configuration colour_of(const Kind& kind) {
+  Config c = vectors::find_configuration(kind.config).config();
+  if (!kind.textured) return Configuration(kind.config, c);
+  c.texture = TextureFilter::kBilinear;
+  c.mapping = TextureMapping::kPerspective;
+  c.texels = 65536, c.textures = 32;
+  c.coordinate_bits = 24, c.coordinate_fraction = c.depth_fraction;
+  return Configuration("textured", c);
+}
+
+ref::Scene scene_at(const Animation& animation, int n, const Config& colour) {
+  ref::Scene scene = ref::load_scene(animation.scene, (animation.first + n) / kRate, has_texture(colour));
+  if (has_texture(colour)) vectors::fit_textures(scene, colour);
+  return scene;
+}
+
+ref::UpConversion reference_of(const Kind& kind, const Configuration& colour) {
+  ref::UpConversion mode{kind.width, kind.height, vectors::raster_format(colour)};
+  mode.samples = kind.samples;
+  mode.mapping = ref::VectorMapping::kPerspective;
+  mode.relight = true;
+  if (kind.textured) mode.texture = ref::TextureMode{};
+  return mode;
+}
+
+class UpConversion : public testing::TestWithParam<Kind> {};
+
+TEST_P(UpConversion, IsNearToWhatIsRendered) {
+  const Kind& kind = GetParam();
+  const Configuration colour = colour_of(kind);
+  Config numbers = vectors::default_motion(colour.config());
+  numbers.samples = kind.samples;
+  const Configuration motion =
+      vectors::motion_configuration(colour, numbers, kind.width * kind.samples, kind.height * kind.samples);
+  KernelUpConverter kernels({kind.width, kind.height, colour, motion});
+  double kernel_mean = 0, reference_mean = 0, average_mean = 0;
+  for (const Animation& animation : kAnimations) {
+    const ref::Scene first = scene_at(animation, 0, colour.config()), second = scene_at(animation, 5, colour.config());
+    kernels.set_keys(first, second);
+    ref::Interval interval(first, second, reference_of(kind, colour));
+    ref::MeanQuality made, reference, average;
+    std::uint64_t covered = 0, words = 0;
+    for (const int n : kind.between) {
+      const ref::Scene between = scene_at(animation, n, colour.config());
+      const vectors::KernelFrameBetween frame = kernels.at(between, n / 5.0);
+      const auto against = [&](const ref::Colours& picture) { return ref::quality(picture, frame.rendered, kind.width, kind.height); };
+      made.add(against(frame.colour));
+      average.add(against(ref::temporal_average(kernels.key_colour(0), kernels.key_colour(1))));
+      const ref::FrameBetween exact = interval.at(between, n / 5.0);
+      reference.add(ref::quality(exact.colour, exact.rendered, kind.width, kind.height));
+      covered += frame.shares.blended + frame.shares.copied + frame.shares.filled;
+      words += frame.words;
+    }
+    EXPECT_EQ(covered, words);
+    const double psnr = made.mean().psnr_y;
+    std::printf("%-12s %-22s average %6.2f, reference %6.2f, kernels %6.2f dB, %.4f %% of blocks under 20 dB\n", animation.scene, kind.name,
+                average.mean().psnr_y, reference.mean().psnr_y, psnr, 100 * made.mean().blocks[0]);
+    EXPECT_GE(psnr, animation.printed) << animation.scene;
+    EXPECT_GT(psnr, average.mean().psnr_y + 8) << animation.scene;
+    if (kind.samples == 1) {
+      EXPECT_LT(made.mean().blocks[0], 0.0005) << animation.scene;
+    }
+    kernel_mean += psnr / std::size(kAnimations);
+    reference_mean += reference.mean().psnr_y / std::size(kAnimations);
+    average_mean += average.mean().psnr_y / std::size(kAnimations);
+  }
+  std::printf("%s: mean %.2f dB, reference %.2f, temporal average %.2f\n", kind.name, kernel_mean, reference_mean, average_mean);
+  EXPECT_GE(kernel_mean, kind.least);
+  EXPECT_LE(reference_mean - kernel_mean, 0.3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, UpConversion,
+                         testing::Values(Kind{"gouraud", "middle", false, 1, 320, 240, {1, 2, 3, 4}, 60},
+                                         Kind{"textured", "middle", true, 1, 320, 240, {1, 2, 3, 4}, 46},
+                                         Kind{"supersampled", "high", false, 4, 160, 120, {2}, 56},
+                                         Kind{"supersampled_textured", "high", true, 4, 320, 240, {2}, 47}),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+// Where a texture moves: light alone hides how exact a place is, as its difference is added.
+TEST(UpConversionFormats, FewBitsCostQuality) {
+  const Kind kind{"textured", "middle", true, 1, 320, 240, {2}, 0};
+  const Configuration colour = colour_of(kind);
+  const Animation& animation = kAnimations[3];  // large faces that turn
+  const auto psnr = [&](void (*change)(Config&), bool half) {
+    Config numbers = vectors::default_motion(colour.config());
+    change(numbers);
+    KernelUpConverter kernels({320, 240, colour, vectors::motion_configuration(colour, numbers, 320, 240), ref::MotionMethod::kExact, half});
+    kernels.set_keys(scene_at(animation, 0, colour.config()), scene_at(animation, 5, colour.config()));
+    const auto frame = kernels.at(scene_at(animation, 2, colour.config()), 0.4);
+    return ref::quality(frame.colour, frame.rendered, 320, 240).psnr_y;
+  };
+  const double enough = psnr([](Config&) {}, false);
+  EXPECT_LT(psnr([](Config& c) { c.vector_fraction = 1; }, false), enough - 0.5);
+  EXPECT_LT(psnr([](Config& c) { c.weight_bits = 2; }, false), enough - 0.2);
+  EXPECT_LT(psnr([](Config& c) { c.relight = 0; }, false), enough - 0.2);
+  EXPECT_LT(psnr([](Config&) {}, true), enough - 8);  // half a field
+}
+
+TEST(UpConversionFormats, RefusesWhatDoesNotFit) {
+  const Configuration middle = vectors::find_configuration("middle"), low = vectors::find_configuration("low");
+  Config numbers = vectors::default_motion(low.config());
+  const Configuration motion = vectors::motion_configuration(low, numbers, 320, 200);
+  try {
+    KernelUpConverter({320, 200, middle, motion});
+    FAIL() << "middle and low share no grid";
+  } catch (const ref::Error& e) {
+    EXPECT_NE(std::string(e.what()).find("range_bits differs"), std::string::npos) << e.what();
+  }
+  numbers.samples = 2;
+  EXPECT_THROW(KernelUpConverter({160, 100, low, vectors::motion_configuration(low, numbers, 320, 200), ref::MotionMethod::kExact, true}),
+               ref::Error);
+  EXPECT_THROW(KernelUpConverter({160, 100, vectors::find_configuration(HALFSPACE_SOURCE "/tests/configs/lit_low.toml"), motion}), ref::Error);
+}
+
+}  // namespace
+}  // namespace halfspace
