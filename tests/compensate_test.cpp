@@ -265,7 +265,8 @@ TEST(Compensate, HalfAFieldIsRelitAsWell) {
   const auto far_off = [&] {
     const FrameBetween made = between(scene, 0.3, mode);
     int pixels = 0;
-    for (std::size_t i = 0; i < made.colour.size(); ++i) pixels += std::abs(made.colour[i][1] - made.rendered[i][1]) > 6;
+    for (std::size_t i = 0; i < made.colour.size(); ++i)
+      pixels += std::abs(made.colour[i][1] - made.rendered[i][1]) > 6;
     return pixels;
   };
   mode.compensation.use[1] = false;
