@@ -253,6 +253,28 @@ TEST(Compensate, ASquareMovedByWholePixelsIsItself) {
   EXPECT_LE(others, 4);  // around the corner's pixel
 }
 
+// What a vector for 2 × 2 pixels says of the light it says of all four.
+TEST(Compensate, HalfAFieldIsRelitAsWell) {
+  const At scene = [](double a) {
+    Scene scene = load_scene("castle");
+    scene.ambient = glm::dvec3(0.2 + 0.5 * a);
+    return scene;
+  };
+  UpConversion mode = kPlain;
+  mode.field = FieldSize::kHalf;
+  const auto far_off = [&] {
+    const FrameBetween made = between(scene, 0.3, mode);
+    int pixels = 0;
+    for (std::size_t i = 0; i < made.colour.size(); ++i)
+      pixels += std::abs(made.colour[i][1] - made.rendered[i][1]) > 6;
+    return pixels;
+  };
+  mode.compensation.use[1] = false;
+  const int dark = far_off();
+  mode.relight = true;
+  EXPECT_LT(far_off(), dark / 4);
+}
+
 TEST(Compensate, BlendsByTime) {
   // From (100, 60, 20) to (200, 61, 0).
   const At scene = [](double a) {
