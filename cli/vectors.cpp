@@ -116,7 +116,7 @@ void write_vectors(const Options& options) {
   if (has_motion(configuration.config())) {
     for (std::size_t n = 0; n < frames.size(); ++n) {
       if (!frames[n].motion.triangles.empty()) continue;  // the scene's
-      frames[n].motion = vectors::awkward_motion(frames[n].scene.triangles.size(), configuration.config(), options.seed + n);
+      frames[n].motion = vectors::awkward_motion(frames[n].scene, configuration.config(), options.seed + n);
     }
   }
 

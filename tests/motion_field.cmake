@@ -12,6 +12,7 @@ foreach(pair IN ITEMS motion_low-1 motion_middle-4 motion_high-16)
 endforeach()
 halfspace_cosim_file(motion_low 16 pipeline)
 halfspace_cosim_file(motion_middle 4 pipeline)
+halfspace_cosim_file(motion_gamma 4 pipeline)  # affine places and differences: setups of another length
 foreach(scene IN ITEMS cube_fast drone)
   add_test(NAME pipeline_motion_middle_4_${scene} COMMAND Python3::Interpreter ${cosim_tool} $<TARGET_FILE:halfspace>
            ${CMAKE_CURRENT_BINARY_DIR}/model_pipeline_motion_middle_4/bench ${CMAKE_CURRENT_BINARY_DIR}/pipeline_motion_middle_4_${scene} ${scene}

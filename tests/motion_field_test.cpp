@@ -12,6 +12,7 @@
 #include "tests/motion_configs.hpp"
 #include "vectors/engine_impl.hpp"
 #include "vectors/extremes.hpp"
+#include "vectors/field_value.hpp"
 #include "vectors/motion_bounds.hpp"
 #include "vectors/standard_set.hpp"
 
@@ -119,9 +120,7 @@ void expect_each_pixel_once(const Field& field, int lanes_x, int lanes_y) {
     }
   }
   std::vector<std::pair<int, int>> found;
-  for (const auto& word : field.motion) {
-    if (word.face != 0) found.emplace_back(word.x, word.y);
-  }
+  for (const auto& word : field.motion) found.emplace_back(word.x, word.y);
   EXPECT_FALSE(expected.empty());
   EXPECT_EQ(found, expected);
 }
@@ -139,7 +138,6 @@ TEST_P(MotionFieldTest, AnimationsAreWithinTheBound) {
       const ref::MotionField exact = ref::motion_field(snapped(motion, field.list, config_), format_,
                                                        has_perspective(config_) ? ref::VectorMapping::kPerspective : ref::VectorMapping::kLinear);
       for (const auto& word : field.motion) {
-        if (word.face == 0) continue;
         const std::size_t at = std::size_t(word.y) * field.list.width + word.x;
         const std::uint32_t k = field.triangle[at];
         ASSERT_EQ(int(word.face), vectors::face_number(motion.traces[k - 1].face, config_));
@@ -189,7 +187,7 @@ TEST_P(MotionFieldTest, AffineFieldsAreThoseOfTheReference) {
     for (const auto& word : field.motion) {
       const std::size_t at = std::size_t(word.y) * field.list.width + word.x;
       const std::uint32_t k = field.triangle[at];
-      if (word.face == 0 || k != exact.triangle[at]) continue;
+      if (k != exact.triangle[at]) continue;
       for (int key = 0; key < ref::kKeys; ++key) {
         if (!word.key[key].there) continue;
         const vectors::RawKeyPlaces& words = field.words.triangles[k - 1].key[key];
@@ -210,7 +208,6 @@ TEST_P(MotionFieldTest, WhereNothingMovesVectorsAreZero) {
   for (const char* name : {"cube_slow", "wheel_turn", "drone"}) {
     const Field field = drawn(between(name, 0.7, 0.7, 0.5));
     for (const auto& word : field.motion) {
-      if (word.face == 0) continue;
       for (const auto& key : word.key) {
         ASSERT_TRUE(key.there) << name;
         ASSERT_EQ(key.x, 0) << name << ", pixel (" << word.x << ", " << word.y << ")";
@@ -252,7 +249,6 @@ TEST_P(OneTriangle, VectorsReachTheEndsOfTheirRange) {
       const Field field = drawn(moved(way));
       ASSERT_GT(field.motion.size(), 100u);
       for (const auto& word : field.motion) {
-        if (word.face == 0) continue;
         EXPECT_EQ(word.face, 7u);
         for (const auto& key : word.key) {
           ASSERT_EQ(key.there, one.there) << one.way;
@@ -270,7 +266,6 @@ TEST_P(OneTriangle, KeysAreThereOrNotEachForItself) {
     ref::Between motion = moved({3, -2});
     motion.traces[0].screen[key].reset();
     for (const auto& word : drawn(motion).motion) {
-      if (word.face == 0) continue;
       ASSERT_FALSE(word.key[key].there);
       ASSERT_EQ(word.key[key].x, 0);
       ASSERT_TRUE(word.key[1 - key].there);
@@ -290,13 +285,25 @@ TEST_P(OneTriangle, FaceNumbersBeginAgain) {
 // A frame whose last stamp is background ends with a word of face 0, and one without a triangle is that word alone.
 TEST_P(OneTriangle, TheEndOfAFrameIsAWord) {
   const Field field = drawn(moved({1, 1}));
-  EXPECT_EQ(field.motion.back().face, 0u);
-  EXPECT_EQ(std::count_if(field.motion.begin(), field.motion.end(), [](const auto& word) { return word.face == 0; }), 1);
   ref::SnappedList none = field.list;
   none.triangles.clear();
-  const Field empty = field_of(*engine_, none, {});
-  ASSERT_EQ(empty.motion.size(), 1u);
-  EXPECT_EQ(empty.motion[0].face, 0u);
+  for (const bool drawn : {true, false}) {
+    engine_->move(drawn ? field.words : vectors::MotionFrame{});
+    std::size_t words = 0, lasts = 0, of_no_face = 0;
+    engine_->capture(drawn ? field.list : none, [&](const vectors::Layout& layout, const vectors::Word* word, std::size_t count) {
+      if (layout.stream != "motion") return;
+      words = count;
+      for (std::size_t n = 0; n < count; ++n) {
+        const bool last = vectors::field_value(word[n], vectors::field_named(layout, "last")) != 0;
+        lasts += last;
+        of_no_face += vectors::field_value(word[n], vectors::field_named(layout, "face")) == 0;
+        EXPECT_EQ(last, n + 1 == count);
+      }
+    });
+    EXPECT_EQ(words, (drawn ? field.motion.size() : 0) + 1);
+    EXPECT_EQ(lasts, 1u);
+    EXPECT_EQ(of_no_face, 1u);
+  }
 }
 
 // Words as no scene has them, on triangles of all kinds, slivers among them: against the exact planes of the words.
@@ -307,9 +314,8 @@ TEST_P(MotionFieldTest, AwkwardWordsAreWithinTheBound) {
   std::size_t compared = 0, out_of_range = 0;
   for (std::size_t n = 0; n < frames.size(); ++n) {
     const ref::SnappedList& list = frames[n].scene;
-    const Field field = field_of(*engine_, list, vectors::awkward_motion(list.triangles.size(), config_, n + 1));
+    const Field field = field_of(*engine_, list, vectors::awkward_motion(list, config_, n + 1));
     for (const auto& word : field.motion) {
-      if (word.face == 0) continue;
       const std::uint32_t k = field.triangle[std::size_t(word.y) * list.width + word.x];
       for (int key = 0; key < ref::kKeys; ++key) {
         const vectors::RawKeyPlaces& words = field.words.triangles[k - 1].key[key];
@@ -355,8 +361,8 @@ TEST_P(MotionFieldTest, AwkwardWordsAreWithinTheBound) {
   EXPECT_GT(share, 0.5);
 }
 
-INSTANTIATE_TEST_SUITE_P(Configurations, MotionFieldTest, testing::Values("motion_low", "motion_middle", "motion_high"));
-INSTANTIATE_TEST_SUITE_P(Configurations, OneTriangle, testing::Values("motion_low", "motion_middle", "motion_high"));
+INSTANTIATE_TEST_SUITE_P(Configurations, MotionFieldTest, testing::Values("motion_low", "motion_middle", "motion_high", "motion_gamma"));
+INSTANTIATE_TEST_SUITE_P(Configurations, OneTriangle, testing::Values("motion_low", "motion_middle", "motion_high", "motion_gamma"));
 
 // The kernels as compiled for a configuration give the words that they give with formats read at run time.
 template <class C>
@@ -366,7 +372,7 @@ void expect_compiled_words() {
   const auto read = vectors::make_engine(configuration, 4);
   std::size_t compared = 0;
   for (const auto& frame : vectors::random_frames(vectors::raster_format(configuration), 5, 2, 60)) {
-    const vectors::MotionFrame words = vectors::awkward_motion(frame.scene.triangles.size(), C::config(), 9);
+    const vectors::MotionFrame words = vectors::awkward_motion(frame.scene, C::config(), 9);
     const Field a = field_of(*compiled, frame.scene, words), b = field_of(*read, frame.scene, words);
     ASSERT_EQ(a.motion.size(), b.motion.size());
     for (std::size_t n = 0; n < a.motion.size(); ++n) {

@@ -35,7 +35,7 @@ TEST(MotionFieldTops, GiveTheWordsOfTheKernels) {
   const auto database = std::make_unique<TopMotionDatabase>();
   std::size_t planes = 0, words = 0, ends = 0;
   for (const vectors::NamedFrame& frame : vectors::random_frames(vectors::raster_format(configuration), 5, 4, 60)) {
-    const vectors::MotionFrame motion = vectors::awkward_motion(frame.scene.triangles.size(), F::config(), 5);
+    const vectors::MotionFrame motion = vectors::awkward_motion(frame.scene, F::config(), 5);
     Frame<F> registers{};
     registers.width = from_raw<F::X>(frame.scene.width);
     registers.height = from_raw<F::Y>(frame.scene.height);

@@ -9,6 +9,7 @@
 
 #include "hls/formats.hpp"
 #include "ref/motion.hpp"
+#include "ref/snap.hpp"
 #include "ref/relight.hpp"
 
 namespace halfspace::vectors {
@@ -41,9 +42,10 @@ RawKeyPlaces quantized_places(const std::array<glm::dvec2, 3>& place, const std:
 // of those triangles, with relight alone; empty, colours are the same at all times.
 MotionFrame motion_frame(const ref::Between& between, const Config& config, const ref::OfKeys<ref::LightChange>& change = {});
 
-// For `triangles` triangles, from `seed`, as no scene has them: places of all kinds in turn: any, at the ends of the range of
-// positions, q as far apart as can be, hardly apart, in any octave, a triangle that is nowhere; differences likewise.
-MotionFrame awkward_motion(std::size_t triangles, const Config& config, std::uint64_t seed);
+// For the triangles of a frame, from `seed`, as no scene has them: places of all kinds in turn: near the triangle and far from it, at
+// the ends of the range of positions, q as far apart as can be, hardly apart, in any octave, a triangle that is nowhere; differences
+// likewise.
+MotionFrame awkward_motion(const ref::SnappedList& list, const Config& config, std::uint64_t seed);
 
 }  // namespace halfspace::vectors
 

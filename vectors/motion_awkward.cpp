@@ -6,24 +6,28 @@
 
 namespace halfspace::vectors {
 
-MotionFrame awkward_motion(std::size_t triangles, const Config& config, std::uint64_t seed) {
+MotionFrame awkward_motion(const ref::SnappedList& list, const Config& config, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   const auto below = [&](std::int64_t n) { return int(random() % std::uint64_t(n)); };
   const int full = (1 << config.coordinate_bits) - 1, faces = (1 << config.face_bits) - 1;
   const int range = 1 << (config.range_bits - 1), differences = 1 << difference_bits(config);
   MotionFrame frame;
-  for (std::size_t k = 0; k < triangles; ++k) {
+  for (std::size_t k = 0; k < list.triangles.size(); ++k) {
+    const ref::SnappedTriangle& triangle = list.triangles[k];
     RawMotionVectors& out = frame.triangles.emplace_back();
     out.face = k % 8 == 7 ? (below(2) ? faces : 1) : 1 + below(faces);
     for (RawKeyPlaces& key : out.key) {
       const int kind = int((k + random() % 2) % 8);
       key.there = kind != 6;
-      key.extent = kind == 5 ? config.range_bits : below(config.range_bits + 1);
-      // In the frame mostly, so that vectors fit; and at both ends of the range.
-      key.origin_x = kind == 4 ? (below(2) ? range - 1 : -range) : below(config.width) - (1 << key.extent) / 2;
-      key.origin_y = kind == 4 ? (below(2) ? range - 1 : -range) : below(config.height) - (1 << key.extent) / 2;
-      key.origin_x = std::clamp(key.origin_x, -range, range - 1);
-      key.origin_y = std::clamp(key.origin_y, -range, range - 1);
+      key.extent = kind == 5 ? config.range_bits : below(std::min(config.range_bits, config.vector_range) + 1);
+      // Near a vertex mostly, so that vectors fit; and at both ends of the range.
+      const auto origin = [&](const std::array<std::int32_t, 3>& at) {
+        if (kind == 4) return below(2) ? range - 1 : -range;
+        const int vertex = at[below(3)] >> config.subpixel_bits, around = 1 << config.vector_range;
+        return std::clamp(vertex - (1 << key.extent) / 2 + below(around) - around / 2, -range, range - 1);
+      };
+      key.origin_x = origin(triangle.x);
+      key.origin_y = origin(triangle.y);
       const int around = 1 + below(full);
       for (int v = 0; v < 3; ++v) {
         int q = full;
