@@ -99,8 +99,8 @@ constexpr bool has_planes(const Config& c) { return has_depth(c) || sends_shape(
 constexpr int normal_plane_bits(const Config& c) { return is_phong(c) ? c.normal_bits + 1 : 0; }
 // Whether there are planes of colours, or of their differences; and bits of a channel of them.
 constexpr bool has_colour_planes(const Config& c) { return is_gouraud(c) || relights(c); }
-// A difference of colours has a sign, and fraction bits: half of its last place is 1/8 LSB.
-constexpr int kDifferenceFraction = 2;
+// A difference of colours has a sign, and fraction bits: half of its last place is 1/32 LSB. A filter has 2·weight_bits of them or more.
+constexpr int kDifferenceFraction = 4;
 constexpr int difference_bits(const Config& c) { return c.colour_bits + kDifferenceFraction + 1; }
 constexpr int colour_plane_bits(const Config& c) { return relights(c) ? difference_bits(c) : c.colour_bits; }
 
