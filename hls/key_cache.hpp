@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cache of a key frame: 2 × 2 tiles of 8 × 8 pixels, direct-mapped by the parity of a tile's column and row. The pixels of one
-// filter lie in at most two columns and two rows of tiles next to each other, so that none of them drives out another. N × N banks,
-// by column and row modulo N: the pixels of a filter are each in a bank of its own, and a block of a tile fills all banks at one
-// address.
+// The cache of a key frame: 2 × 2 tiles of 8 × 8 pixels, direct-mapped by the parity of a tile's column and row. The
+// pixels of one filter lie in at most two columns and two rows of tiles next to each other, so that none of them drives
+// out another. N × N banks, by column and row modulo N: the pixels of a filter are each in a bank of its own, and a
+// block of a tile fills all banks at one address.
 #ifndef HALFSPACE_HLS_KEY_CACHE_HPP_
 #define HALFSPACE_HLS_KEY_CACHE_HPP_
 
@@ -29,8 +29,8 @@ struct KeyCache {
   KeyPixel<F> bank[N * N][kCacheSlots * blocks_a_tile(N)];
 };
 
-// What a filter looks at, in pixels of the key frame: columns left … right, rows top … bottom, inside the frame; empty where one is
-// beyond the other.
+// What a filter looks at, in pixels of the key frame: columns left … right, rows top … bottom, inside the frame; empty
+// where one is beyond the other.
 struct KeyArea {
   int left, top, right, bottom;
 };
@@ -50,7 +50,8 @@ template <class F, int N>
 void fill_cache(KeyCache<F, N>& cache, const KeyArea& area, const KeyBlock<F, N>* memory, int tiles_x,
                 Probe<KeyRequest<F>>& request, Probe<KeyBlock<F, N>>& block) {
   if (area.left > area.right || area.top > area.bottom) return;
-  const int x0 = area.left / kKeyTile, x1 = area.right / kKeyTile, y0 = area.top / kKeyTile, y1 = area.bottom / kKeyTile;
+  const int x0 = area.left / kKeyTile, x1 = area.right / kKeyTile, y0 = area.top / kKeyTile,
+            y1 = area.bottom / kKeyTile;
 Slots:
   for (int slot = 0; slot < kCacheSlots; ++slot) {
     // The column and the row of this parity, if the area has them.

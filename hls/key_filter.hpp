@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a filter takes of the pixels around a place in a key frame. Weights are separable; along an axis with t from the centre of
-// the pixel before the place to that of the one behind it, in [0, 1):
+// What a filter takes of the pixels around a place in a key frame. Weights are separable; along an axis with t from the
+// centre of the pixel before the place to that of the one behind it, in [0, 1):
 //
 //   bilinear   1 − t, t: the areas that a unit pixel about the place shares with them
 //   area       those areas, each divided by the distance of its pixel: (1 − t)/t to t/(1 − t), which over their sum are
 //              (1 − t)²/d, t²/d, d = (1 − t)² + t²
 //   bicubic    Catmull and Rom: (−t + 2t² − t³)/2, (2 − 5t² + 3t³)/2, (t + 4t² − 3t³)/2, (t³ − t²)/2
 //
-// A table has them as whole numbers of 2^−w: each rounded half up, and what their sum then lacks of 1 is added to the largest, so
-// that a picture of one colour keeps it. Sums of products are exact.
+// A table has them as whole numbers of 2^−w: each rounded half up, and what their sum then lacks of 1 is added to the
+// largest, so that a picture of one colour keeps it. Sums of products are exact.
 #ifndef HALFSPACE_HLS_KEY_FILTER_HPP_
 #define HALFSPACE_HLS_KEY_FILTER_HPP_
 
@@ -54,9 +54,11 @@ constexpr AxisWeights axis_weights(KeyFilter filter, std::int64_t n, int g, int 
   return rounded_weights(taps, before + behind, w);
 }
 
-// The tables of a configuration: at t = n·2^−g, entry n. `outer` is of bicubic filters alone; `inner` is of those where a pixel of
-// the sixteen is missing, too.
-constexpr KeyFilter inner_filter(KeyFilter filter) { return filter == KeyFilter::kArea ? filter : KeyFilter::kBilinear; }
+// The tables of a configuration: at t = n·2^−g, entry n. `outer` is of bicubic filters alone; `inner` is of those where
+// a pixel of the sixteen is missing, too.
+constexpr KeyFilter inner_filter(KeyFilter filter) {
+  return filter == KeyFilter::kArea ? filter : KeyFilter::kBilinear;
+}
 template <class F>
 struct KeyWeights {
   static constexpr int kFraction = F::kVectorFraction + F::kLog2Samples;
@@ -74,8 +76,8 @@ constexpr KeyWeights<F> key_weights() {
   return weights;
 }
 
-// Whether they are what formats.hpp says: with p the positive part of a sum of 1 and p − 1 the negative one, two axes reach from
-// −2p(p − 1) to p² + (p − 1)², which key_sum has room for where p <= 9/8 and a little.
+// Whether they are what formats.hpp says. With p the positive part of a sum of 1 and p − 1 the negative one, two axes
+// reach from −2p(p − 1) to p² + (p − 1)² of full scale: −½ and 3/2 are what key_sum has room for.
 constexpr bool weights_fit(KeyFilter filter, int g, int w) {
   for (int n = 0; n < 1 << g; ++n) {
     const AxisWeights weights = axis_weights(filter, n, g, w);
@@ -93,12 +95,12 @@ constexpr bool weights_fit(KeyFilter filter, int g, int w) {
   return true;
 }
 
-static_assert(weights_fit(KeyFilter::kBilinear, 5, 4) && weights_fit(KeyFilter::kArea, 5, 6) && weights_fit(KeyFilter::kBicubic, 6, 2) &&
-                  weights_fit(KeyFilter::kBicubic, 8, 8),
+static_assert(weights_fit(KeyFilter::kBilinear, 5, 4) && weights_fit(KeyFilter::kArea, 5, 6) &&
+                  weights_fit(KeyFilter::kBicubic, 6, 2) && weights_fit(KeyFilter::kBicubic, 8, 8),
               "the weights of an axis sum to 1, and two axes to no more than key_sum holds");
 
-// The pixels that a filter takes, 4 by 4 in the order of rows; nearest (1, 1) alone, others but bicubic the inner four. Those that
-// lie outside the frame or are of another face do not match, and their colour means nothing.
+// The pixels that a filter takes, 4 by 4 in the order of rows; nearest (1, 1) alone, others but bicubic the inner four.
+// Those that lie outside the frame or are of another face do not match, and their colour means nothing.
 template <class F>
 struct KeyTaps {
   bool match[kMostTaps * kMostTaps];
@@ -112,9 +114,9 @@ struct KeyColour {
   typename F::KeySum r, g, b;
 };
 
-// Of the inner four, the number of the one that stands for those that do not match: the matching one with the largest weight. That
-// is the nearest, or the other of its row or of its column, where the place is nearer to the middle, or the one opposite. 0 … 3: bit 0
-// the column, bit 1 the row; with none of them, the one opposite.
+// Of the inner four, the number of the one that stands for those that do not match: the matching one with the largest
+// weight. That is the nearest, or the other of its row or of its column, where the place is nearer to the middle, or
+// the one opposite. 0 … 3: bit 0 the column, bit 1 the row; with none of them, the one opposite.
 inline int standing_tap(const bool (&match)[4], int tx, int ty, int g) {
   const int half = 1 << (g - 1), right = tx >= half, below = ty >= half, nearest = below << 1 | right;
   const int from_x = right ? tx - half : half - tx, from_y = below ? ty - half : half - ty;
@@ -127,8 +129,8 @@ inline int standing_tap(const bool (&match)[4], int tx, int ty, int g) {
 
 // One channel, by the weights of its columns and rows.
 template <class F>
-typename F::KeySum filtered_channel(const typename F::Colour (&colour)[kMostTaps * kMostTaps], const AxisWeights& columns,
-                                    const AxisWeights& rows) {
+typename F::KeySum filtered_channel(const typename F::Colour (&colour)[kMostTaps * kMostTaps],
+                                    const AxisWeights& columns, const AxisWeights& rows) {
   std::int64_t sum = 0;
 Rows:
   for (int j = 0; j < kMostTaps; ++j) {
@@ -170,7 +172,8 @@ Inner:
   }
   const int number = standing_tap(inner, tx, ty, g), standing = kInner[number];
   // A pixel without weight shows nothing of the place: it lies on the centre of another, or next to it.
-  out.shown = taps.match[standing] && weights.inner[tx].tap[1 + (number & 1)] != 0 && weights.inner[ty].tap[1 + (number >> 1)] != 0;
+  out.shown = taps.match[standing] && weights.inner[tx].tap[1 + (number & 1)] != 0 &&
+              weights.inner[ty].tap[1 + (number >> 1)] != 0;
 Stand:
   for (int i = 0; i < 4; ++i) {
     HS_UNROLL

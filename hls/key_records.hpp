@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The records of motion_compensate. Pixels of key frames come in blocks of N × N, N = key_side(F::kFilter): one for each bank of a
-// cache.
+// The records of motion_compensate. Pixels of key frames come in blocks of N × N, N = key_side(F::kFilter): one for
+// each bank of a cache.
 #ifndef HALFSPACE_HLS_KEY_RECORDS_HPP_
 #define HALFSPACE_HLS_KEY_RECORDS_HPP_
 
@@ -41,8 +41,8 @@ struct KeyRequest {
   }
 };
 
-// Key memory → motion_compensate, in answer: (8/N)² blocks of a tile, row by row; lane l is pixel (l mod N, l div N) of its block.
-// Beyond the frame it holds anything.
+// Key memory → motion_compensate, in answer: (8/N)² blocks of a tile, row by row; lane l is pixel (l mod N, l div N) of
+// its block. Beyond the frame it holds anything.
 template <class F, int N>
 struct KeyBlock {
   static constexpr const char* kStream = "key_block";

@@ -2,18 +2,19 @@
 // Compensation: the colour of a pixel of a frame in between from the two key frames, along its vectors.
 //
 //   place in key k   (x + ½ + vx_k, y + ½ + vy_k) / samples, in pixels of the key frame; their centres are at ½
-//   taps             the pixel that it lies in (nearest); the 2 × 2 whose centres are around it; the 4 × 4 of these (bicubic)
+//   taps             the pixel that it lies in (nearest); the 2 × 2 whose centres are around it; the 4 × 4 of these
+//   (bicubic)
 //
-// A tap matches if it is in the frame and of the face of the word: others show something else, and would be a smear. Of the inner
-// four the weight of those that do not match goes to the matching one with the largest. A bicubic filter needs all sixteen, and is a
-// bilinear one of the inner four else. Where no tap with a weight matches, the key does not show
-// the point.
+// A tap matches if it is in the frame and of the face of the word: others show something else, and would be a smear. Of
+// the inner four the weight of those that do not match goes to the matching one with the largest. A bicubic filter
+// needs all sixteen, and is a bilinear one of the inner four else. Where no tap with a weight matches, the key does not
+// show the point.
 //
 //   V_k = Σ weights · colours + what the colour in between differs by      exact, 2w fraction bits
 //   both keys: W·V_0 + (1 − W)·V_1;  one: it alone;  none: a hole, which is not filled here
 //
-// One rounding, half up, then clamped. One word a call. Cycles in the RTL: one a word, and for the tiles that the caches of the two
-// keys lack, which they fetch at the same time, 1 + (8/N)² a tile.
+// One rounding, half up, then clamped. One word a call. Cycles in the RTL: one a word, and for the tiles that the
+// caches of the two keys lack, which they fetch at the same time, 1 + (8/N)² a tile.
 #ifndef HALFSPACE_HLS_MOTION_COMPENSATE_HPP_
 #define HALFSPACE_HLS_MOTION_COMPENSATE_HPP_
 
@@ -38,12 +39,13 @@ int key_pixels(int pixels) {
 }
 
 template <class F, int N>
-KeyColour<F> key_colour(const CompensationFrame<F>& frame, const KeyWeights<F>& weights, const Motion<F>& in, const KeyVector<F>& v,
-                        const KeyPort<F, N>& port) {
+KeyColour<F> key_colour(const CompensationFrame<F>& frame, const KeyWeights<F>& weights, const Motion<F>& in,
+                        const KeyVector<F>& v, const KeyPort<F, N>& port) {
   constexpr int kLast = kMostTaps - 1;
   const bool nearest = F::kFilter == KeyFilter::kNearest;
   const int width = key_pixels<F>(int(raw(frame.width))), height = key_pixels<F>(int(raw(frame.height)));
-  // Whole numbers of 2^−g pixels of the key frame. Nearest: the pixel of the place itself; else the one before its centre.
+  // Whole numbers of 2^−g pixels of the key frame. Nearest: the pixel of the place itself; else the one before its
+  // centre.
   const int f = F::kVectorFraction, g = f + F::kLog2Samples, half = nearest ? 0 : 1 << (g - 1);
   const int place_x = (2 * int(raw(in.x)) + 1) * (1 << (f - 1)) + int(raw(v.x)) - half;
   const int place_y = (2 * int(raw(in.y)) + 1) * (1 << (f - 1)) + int(raw(v.y)) - half;
@@ -90,7 +92,8 @@ template <class F>
 typename F::Colour blended(const typename F::KeySum& key_0, const typename F::KeySum& key_1, int weight) {
   const int w = F::kWeightBits;
   const std::int64_t sum = weight * std::int64_t(raw(key_0)) + ((1 << w) - weight) * std::int64_t(raw(key_1));
-  const std::int64_t rounded = (std::int64_t(raw(from_raw<typename F::KeyBlend>(sum))) + (std::int64_t(1) << (3 * w - 1))) >> 3 * w;
+  const std::int64_t rounded =
+      (std::int64_t(raw(from_raw<typename F::KeyBlend>(sum))) + (std::int64_t(1) << (3 * w - 1))) >> 3 * w;
   const std::int64_t most = (1 << F::kColourBits) - 1;
   return from_raw<typename F::Colour>(rounded < 0 ? 0 : rounded > most ? most : rounded);
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cache of a key frame (kernel: hls/key_cache.hpp): 2 × 2 tiles of 8 × 8 pixels, direct-mapped by
-// the parity of a tile's column and row, in Side × Side banks.
+// The cache of a key frame (kernel: hls/key_cache.hpp): 2 × 2 tiles of 8 × 8 pixels, direct-mapped
+// by the parity of a tile's column and row, in Side × Side banks.
 //
 // An area of at most two columns and two rows of tiles hits in the cycle in which it is offered, or
-// not: then it has to stay until it does. What it lacks is requested tile by tile, in the order of the
-// slots; a tile comes as (8 / Side)² blocks of Side × Side pixels, row by row. A miss takes
-// 1 + (8 / Side)² cycles, if neither side waits; the hit is in the next one.
-// A read takes one cycle; its pixels stay until the next one. clear_i, together with the last area of
-// a frame, empties the cache.
+// not: then it has to stay until it does. What it lacks is requested tile by tile, in the order of
+// the slots; a tile comes as (8 / Side)² blocks of Side × Side pixels, row by row. A miss takes 1 +
+// (8 / Side)² cycles, if neither side waits; the hit is in the next one. A read takes one cycle;
+// its pixels stay until the next one. clear_i, together with the last area of a frame, empties the
+// cache.
 module hs_key_cache #(
   parameter int unsigned Side,
   parameter int unsigned TileXBits,

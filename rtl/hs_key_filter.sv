@@ -2,8 +2,8 @@
 // One channel of a key frame's pixels, weighted by columns, then by rows: exact (kernel:
 // filtered_channel in hls/key_filter.hpp).
 //
-// Interval 1, latency 6, of cycles in which en_i is 1. Multipliers: 3 for two by two pixels, 15 for four
-// by four.
+// Interval 1, latency 6, of cycles in which en_i is 1. Multipliers: 3 for two by two pixels, 15 for
+// four by four.
 module hs_key_filter #(
   parameter int unsigned TapWeightBits,
   localparam int unsigned Taps = hs_formats_pkg::KeyTaps,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pixels that a filter takes of a key frame: which of them match, whether one of these has a weight,
-// and what stands for those of the inner four that do not (kernel: key_colour in
+// The pixels that a filter takes of a key frame: which of them match, whether one of these has a
+// weight, and what stands for those of the inner four that do not (kernel: key_colour in
 // hls/motion_compensate.hpp, standing_tap and filtered_key in hls/key_filter.hpp).
 //
 // Interval 1, latency 2, of cycles in which en_i is 1, which is their only stall.
@@ -15,7 +15,7 @@ module hs_key_taps #(
 ) (
   input  logic                             clk_i,
   input  logic                             en_i,
-  input  logic                             active_i,  // the pixel has a face, and a vector to this key
+  input  logic                             active_i,  // it has a face and a vector
   input  logic [FaceBits-1:0]              face_i,
   input  logic [Side*Side*PixelBits-1:0]   pixels_i,  // {r, g, b, face} a bank, bank 0 last
   input  logic [SideBits-1:0]              column_i,  // of the first pixel, modulo Side
@@ -66,7 +66,8 @@ module hs_key_taps #(
       end
     end
   end else begin : gen_four
-    // The nearest of the inner four, bit 0 its column and bit 1 its row, and which axis is tried first.
+    // The nearest of the inner four, bit 0 its column and bit 1 its row, and which axis is tried
+    // first.
     localparam int unsigned First = Taps == 4 ? 1 : 0;
     localparam logic [FractionBits-1:0] Half = FractionBits'(1) << (FractionBits - 1);
     logic [FractionBits-1:0] from_x, from_y;

@@ -2,11 +2,11 @@
 // The colours of the pixels of a frame in between, from two key frames (kernel:
 // hls/motion_compensate.hpp). A word is a pixel; words may come in any order.
 //
-// Interval 1, while the caches of both keys hold the pixels that a word takes. Where one lacks a tile,
-// words wait for it, 1 + (8 / KeySide)² cycles; the two keys fetch at the same time.
+// Interval 1, while the caches of both keys hold the pixels that a word takes. Where one lacks a
+// tile, words wait for it, 1 + (8 / KeySide)² cycles; the two keys fetch at the same time.
 // Latency from a word of motion to its pixel: 9 cycles, 15 with weights.
-// Stages: place, two | check | read | taps, two | weighted sums, six | blend, four, the last one the
-// word that is sent.
+// Stages: place, two | check | read | taps, two | weighted sums, six | blend, four, the last one
+// the word that is sent.
 // Stall: while a pixel is not taken everything but a fetch stops.
 // key_weight_i and the size of the frame change only while no word is in flight; a word with last
 // empties the caches behind itself.

@@ -11,12 +11,14 @@ LEVELS = [["config"], ["low", "middle", "high"], ["fixed_rules"], ["fixed_native
           ["buffers", "reciprocal", "reciprocal_sqrt", "reciprocal_lookup", "lanes", "key_records"],
           ["plane", "lighting", "key_filter", "key_cache"],
           ["triangle_setup", "shade_setup", "raster_pineda", "ztest_index", "ztest_plane", "scan_index", "shade_gouraud", "light_vertex",
-           "phong_setup", "shade_phong", "texture_setup", "shade_texture", "motion_compensate", "visible_select"],
+           "phong_setup", "shade_phong", "texture_setup", "shade_texture", "motion_setup", "motion_field", "motion_compensate",
+           "visible_select"],
           ["pipeline"],
           ["fields"],
           ["triangle_setup_top", "shade_setup_top", "raster_pineda_top", "ztest_index_top", "ztest_plane_top",
            "scan_index_top", "shade_gouraud_top", "light_vertex_top", "phong_setup_top", "shade_phong_top", "texture_setup_top",
-           "shade_texture_top", "motion_compensate_top", "shade_setup_lit_top", "visible_select_top"]]
+           "shade_texture_top", "motion_setup_top", "motion_field_top", "motion_compensate_top",
+           "shade_setup_lit_top", "visible_select_top"]]
 # Which folders a folder may include from.
 FOLDERS = {"hls": {"hls"}, "ref": {"ref"}, "vectors": {"vectors", "ref", "hls"}, "tb": {"tb"},
            "cli": {"cli", "vectors", "ref"}, "tests": {"tests", "vectors", "ref", "hls"}}

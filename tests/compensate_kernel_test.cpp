@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// motion_compensate against its definition (compensate_model.hpp): filters, matches, edges, caches, and the bounds of its weights.
+// motion_compensate against its definition (compensate_model.hpp): filters, matches, edges, caches, and the bounds of
+// its weights.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -21,7 +22,10 @@ using vectors::RawMotion;
 constexpr KeyFilter kFilters[] = {KeyFilter::kNearest, KeyFilter::kBilinear, KeyFilter::kArea, KeyFilter::kBicubic};
 
 const char* name_of(KeyFilter filter) {
-  return filter == KeyFilter::kNearest ? "nearest" : filter == KeyFilter::kBilinear ? "bilinear" : filter == KeyFilter::kArea ? "area" : "bicubic";
+  return filter == KeyFilter::kNearest    ? "nearest"
+         : filter == KeyFilter::kBilinear ? "bilinear"
+         : filter == KeyFilter::kArea     ? "area"
+                                          : "bicubic";
 }
 
 Config base(const char* name) {
@@ -53,7 +57,8 @@ void expect_model(const Config& config, const NamedCompensation& frame, std::arr
     ASSERT_EQ(got.pixels[n].keys, want.keys) << frame.note << ", " << name_of(config.filter) << ", word " << n;
     for (std::size_t c = 0; c < 3; ++c) {
       ASSERT_EQ(int(got.pixels[n].rgb[c]), int(model.displayed(want.value[c])))
-          << frame.note << ", " << name_of(config.filter) << ", word " << n << ", channel " << c << ", keys " << want.keys;
+          << frame.note << ", " << name_of(config.filter) << ", word " << n << ", channel " << c << ", keys "
+          << want.keys;
     }
     ++kinds[std::size_t(want.keys)];
   }
@@ -66,11 +71,12 @@ TEST(Compensation, IsItsDefinition) {
       for (const int samples : {1, 2, 4}) {
         Config config = base(name);
         config.filter = filter, config.samples = samples;
-        for (const NamedCompensation& frame : vectors::compensation_frames(config, 7)) expect_model(config, frame, kinds);
+        for (const NamedCompensation& frame : vectors::compensation_frames(config, 7))
+          expect_model(config, frame, kinds);
       }
     }
-    std::printf("%-8s holes %zu, of key 0 alone %zu, of key 1 alone %zu, of both %zu\n", name_of(filter), kinds[0], kinds[1], kinds[2],
-                kinds[3]);
+    std::printf("%-8s holes %zu, of key 0 alone %zu, of key 1 alone %zu, of both %zu\n", name_of(filter), kinds[0],
+                kinds[1], kinds[2], kinds[3]);
     for (const std::size_t count : kinds) EXPECT_GT(count, 300u);
   }
 }
@@ -119,7 +125,8 @@ TEST(Compensation, CopiesWhereWholePixelsMove) {
   }
 }
 
-// All patterns of four pixels that match, at every fraction; what stands for the others is one of those with the largest weight.
+// All patterns of four pixels that match, at every fraction; what stands for the others is one of those with the
+// largest weight.
 TEST(Compensation, GivesTheWeightOfOthersToTheLargest) {
   for (const KeyFilter filter : {KeyFilter::kBilinear, KeyFilter::kArea, KeyFilter::kBicubic}) {
     const Config config = with(filter, 3, 6, 1, 0);
@@ -146,7 +153,8 @@ TEST(Compensation, GivesTheWeightOfOthersToTheLargest) {
           ASSERT_EQ(got.pixels[0].keys, want.keys);
           // On the centre of pixel 0 that one alone has a weight, on its row or column two.
           const int weighted = (u ? 3 : 1) * (v ? 5 : 1) & 15;
-          ASSERT_EQ(want.keys, (pattern & weighted) != 0) << name_of(filter) << ", pattern " << pattern << ", at " << u << ", " << v;
+          ASSERT_EQ(want.keys, (pattern & weighted) != 0)
+              << name_of(filter) << ", pattern " << pattern << ", at " << u << ", " << v;
           for (std::size_t c = 0; c < 3; ++c) {
             ASSERT_EQ(int(got.pixels[0].rgb[c]), int(model.displayed(want.value[c])))
                 << name_of(filter) << ", pattern " << pattern << ", at " << u << "/8, " << v << "/8";
@@ -157,7 +165,8 @@ TEST(Compensation, GivesTheWeightOfOthersToTheLargest) {
     }
     EXPECT_EQ(compared, 16u * 64u);
   }
-  // Weights of ¾·¾ … ¼·¼ of a place nearest to pixel 0: with it missing, the column's neighbour where y is nearer to the middle.
+  // Weights of ¾·¾ … ¼·¼ of a place nearest to pixel 0: with it missing, the column's neighbour where y is nearer to
+  // the middle.
   const bool but_nearest[4] = {false, true, true, true}, opposite[4] = {false, false, false, true};
   EXPECT_EQ(standing_tap(but_nearest, 2, 3, 3), 2);
   EXPECT_EQ(standing_tap(but_nearest, 3, 2, 3), 1);
@@ -167,8 +176,13 @@ TEST(Compensation, GivesTheWeightOfOthersToTheLargest) {
 
 TEST(Compensation, ClampsWhatRelightingAdds) {
   const Config config = with(KeyFilter::kBilinear, 5, 6, 1, 1);
-  for (const auto& [colour, difference, want] :
-       {std::array<int, 3>{200, 255, 255}, {255, -255, 0}, {10, -11, 0}, {10, -10, 0}, {250, 5, 255}, {250, 6, 255}, {100, 20, 120}}) {
+  for (const auto& [colour, difference, want] : {std::array<int, 3>{200, 255, 255},
+                                                 {255, -255, 0},
+                                                 {10, -11, 0},
+                                                 {10, -10, 0},
+                                                 {250, 5, 255},
+                                                 {250, 6, 255},
+                                                 {100, 20, 120}}) {
     NamedCompensation frame;
     frame.width = frame.height = 4;
     KeyFrame key = smooth_key(4, 4, 1, 1);
@@ -179,7 +193,8 @@ TEST(Compensation, ClampsWhatRelightingAdds) {
     frame.motion[0].key[0].x = 9;
     for (auto& v : frame.motion[0].key) v.difference.fill(difference * (1 << kDifferenceFraction));
     const CompensatedPixel got = compensator(config).run(frame.input()).pixels[0];
-    EXPECT_EQ(got.rgb, (std::array<std::uint8_t, 3>{std::uint8_t(want), std::uint8_t(want), std::uint8_t(want)})) << colour << difference;
+    EXPECT_EQ(got.rgb, (std::array<std::uint8_t, 3>{std::uint8_t(want), std::uint8_t(want), std::uint8_t(want)}))
+        << colour << difference;
   }
 }
 
@@ -205,7 +220,8 @@ TEST(KeyCache, MissesAreThoseOfFourTiles) {
       const CompensatedFrame got = compensator(config).run(frame.input());
       const CompensationModel model(config, false);
       for (int k = 0; k < 2; ++k) {
-        EXPECT_EQ(got.misses[std::size_t(k)], model.misses(frame.input(), got.pixels, k)) << name_of(filter) << ", key " << k;
+        EXPECT_EQ(got.misses[std::size_t(k)], model.misses(frame.input(), got.pixels, k))
+            << name_of(filter) << ", key " << k;
       }
       EXPECT_GE(got.fills, std::max(got.misses[0], got.misses[1]));
       EXPECT_LE(got.fills, got.misses[0] + got.misses[1]);
@@ -244,7 +260,8 @@ TEST(Weights, SumToOneAndAreRounded) {
           for (std::size_t i = 0; i < 4; ++i) {
             sum += got.tap[i];
             if (i == largest) continue;
-            ASSERT_EQ(got.tap[i], int(std::floor(std::ldexp(exact[i], w) + 0.5))) << name_of(filter) << " " << n << "/2^" << g;
+            ASSERT_EQ(got.tap[i], int(std::floor(std::ldexp(exact[i], w) + 0.5)))
+                << name_of(filter) << " " << n << "/2^" << g;
           }
           ASSERT_EQ(sum, 1 << w);
           if (filter == KeyFilter::kBilinear && w >= g) {
@@ -267,11 +284,13 @@ Worst worst_colours(const Config& c) {
   Worst worst;
   for (int v = 0; v < 1 << g; ++v) {
     for (int u = 0; u < 1 << g; ++u) {
-      const AxisWeights columns = axis_weights(c.filter, u, g, c.weight_bits), rows = axis_weights(c.filter, v, g, c.weight_bits);
+      const AxisWeights columns = axis_weights(c.filter, u, g, c.weight_bits),
+                        rows = axis_weights(c.filter, v, g, c.weight_bits);
       const std::array<double, 4> x = exact_weights(c.filter, at_t(u, g)), y = exact_weights(c.filter, at_t(v, g));
       double above = 0, below = 0;
       for (std::size_t n = 0; n < 16; ++n) {
-        const double error = std::ldexp(double(columns.tap[n % 4]) * rows.tap[n / 4], -2 * c.weight_bits) - x[n % 4] * y[n / 4];
+        const double error =
+            std::ldexp(double(columns.tap[n % 4]) * rows.tap[n / 4], -2 * c.weight_bits) - x[n % 4] * y[n / 4];
         (error > 0 ? above : below) += std::fabs(error);
       }
       const double error = std::max(above, below) * ((1 << c.colour_bits) - 1);
@@ -298,7 +317,8 @@ TEST(Weights, CostNoMoreThanTheirBound) {
       frame.width = frame.height = 8;
       KeyFrame key = smooth_key(8, 8, 1, 1);
       const AxisWeights columns = axis_weights(filter, worst.x, 6, w), rows = axis_weights(filter, worst.y, 6, w);
-      const std::array<double, 4> x = exact_weights(filter, at_t(worst.x, 6)), y = exact_weights(filter, at_t(worst.y, 6));
+      const std::array<double, 4> x = exact_weights(filter, at_t(worst.x, 6)),
+                                  y = exact_weights(filter, at_t(worst.y, 6));
       for (std::size_t n = 0; n < 16; ++n) {
         const double error = std::ldexp(double(columns.tap[n % 4]) * rows.tap[n / 4], -2 * w) - x[n % 4] * y[n / 4];
         key.rgb[8 * (2 + n / 4) + 2 + n % 4].fill((error > 0) == worst.above ? 255 : 0);

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Co-simulates motion_compensate in configurations that are made here, each CASE being SIZE-FILTER-SAMPLES, as low-bicubic-4, or that
-and -netlist, for the netlist that Yosys makes: under several stall seeds, and without stalls, where the cycles are held to the kernel's.
+"""Co-simulates motion_compensate in configurations that are made here, each CASE being SIZE-FILTER-SAMPLES, as
+low-bicubic-4, or that and -netlist, for the netlist that Yosys makes: under several stall seeds, and without stalls,
+where the cycles are held to the kernel's.
 Usage: compensate_matrix_test.py HALFSPACE FOLDER CASE … --library A.a --library B.a [--seeds N]"""
 import argparse
 import concurrent.futures
@@ -39,11 +40,11 @@ def try_case(args, case):
     code, text = run([args.halfspace, "package", "--config", toml, "-o", package])
     if code:
         return False, text
-    bench = build(package, 4, "hs_compensate_units", folder / "model", args.library, verilator=args.verilator, cxx=args.cxx,
-                  yosys=args.yosys if netlist else None)
+    bench = build(package, 4, "hs_compensate_units", folder / "model", args.library, verilator=args.verilator,
+                  cxx=args.cxx, yosys=args.yosys if netlist else None)
     for stall, seeds in ((30, args.seeds), (0, 1)):
-        code, text = run([sys.executable, TESTS / "cosim_test.py", args.halfspace, bench, folder / "vectors", "compensation", toml, 4,
-                          "--stall", stall, "--seeds", seeds])
+        code, text = run([sys.executable, TESTS / "cosim_test.py", args.halfspace, bench, folder / "vectors", "compensation",
+                          toml, 4, "--stall", stall, "--seeds", seeds])
         if code:
             return False, text
         print(f"{case}, stall {stall} %: {text.strip().splitlines()[-1]}", flush=True)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compensation from its definition, for the tests: taps by their distance from a place, no cache, numbers in double. Weights are
-// those of the tables, or exact ones.
+// Compensation from its definition, for the tests: taps by their distance from a place, no cache, numbers in double.
+// Weights are those of the tables, or exact ones.
 #ifndef HALFSPACE_TESTS_COMPENSATE_MODEL_HPP_
 #define HALFSPACE_TESTS_COMPENSATE_MODEL_HPP_
 
@@ -19,13 +19,14 @@ namespace halfspace::tests {
 inline std::array<double, 4> exact_weights(KeyFilter filter, double t) {
   switch (filter) {
     case KeyFilter::kBicubic:
-      return {(-t + 2 * t * t - t * t * t) / 2, (2 - 5 * t * t + 3 * t * t * t) / 2, (t + 4 * t * t - 3 * t * t * t) / 2,
-              (t * t * t - t * t) / 2};
+      return {(-t + 2 * t * t - t * t * t) / 2, (2 - 5 * t * t + 3 * t * t * t) / 2,
+              (t + 4 * t * t - 3 * t * t * t) / 2, (t * t * t - t * t) / 2};
     case KeyFilter::kArea: {
       const double sum = (1 - t) * (1 - t) + t * t;
       return {0, (1 - t) * (1 - t) / sum, t * t / sum, 0};
     }
-    default: return {0, 1 - t, t, 0};
+    default:
+      return {0, 1 - t, t, 0};
   }
 }
 
@@ -56,7 +57,8 @@ class CompensationModel {
       if (all) {
         const std::array<double, 4> columns = weights(c_.filter, t), rows = weights(c_.filter, u);
         for (int n = 0; n < 16; ++n) {
-          add(sum, columns[std::size_t(n % 4)] * rows[std::size_t(n / 4)], tap_at(in, m, k, left - 1 + n % 4, top - 1 + n / 4).colour);
+          add(sum, columns[std::size_t(n % 4)] * rows[std::size_t(n / 4)],
+              tap_at(in, m, k, left - 1 + n % 4, top - 1 + n / 4).colour);
         }
       } else if (!of_four(in, m, k, left, top, t, u, sum)) {
         return std::nullopt;
@@ -86,7 +88,8 @@ class CompensationModel {
   }
 
   // Tiles that a cache of 2 × 2 of them has not, for words in this order.
-  std::size_t misses(const vectors::CompensationInput& in, const std::vector<vectors::CompensatedPixel>& order, int k) const {
+  std::size_t misses(const vectors::CompensationInput& in, const std::vector<vectors::CompensatedPixel>& order,
+                     int k) const {
     std::map<std::pair<int, int>, const vectors::RawMotion*> at;
     for (const vectors::RawMotion& m : in.motion) at[{m.x, m.y}] = &m;
     std::map<std::pair<int, int>, std::pair<int, int>> cache;
@@ -110,7 +113,9 @@ class CompensationModel {
     Colour colour;
   };
 
-  double place(int pixel, int vector) const { return (pixel + 0.5 + std::ldexp(vector, -c_.vector_fraction)) / c_.samples; }
+  double place(int pixel, int vector) const {
+    return (pixel + 0.5 + std::ldexp(vector, -c_.vector_fraction)) / c_.samples;
+  }
 
   std::array<double, 4> weights(KeyFilter filter, double t) const {
     if (exact_) return exact_weights(filter, t);
@@ -132,10 +137,10 @@ class CompensationModel {
     return {key.face[at] == m.face, {double(key.rgb[at][0]), double(key.rgb[at][1]), double(key.rgb[at][2])}};
   }
 
-  // Whether one of them matches that has a weight. The weight of the others goes to the one with the largest exact weight; of two alike, to the first in
-  // the order of standing_tap.
-  bool of_four(const vectors::CompensationInput& in, const vectors::RawMotion& m, int k, int left, int top, double t, double u,
-               Colour& sum) const {
+  // Whether one of them matches that has a weight. The weight of the others goes to the one with the largest exact
+  // weight; of two alike, to the first in the order of standing_tap.
+  bool of_four(const vectors::CompensationInput& in, const vectors::RawMotion& m, int k, int left, int top, double t,
+               double u, Colour& sum) const {
     const KeyFilter filter = c_.filter == KeyFilter::kBicubic ? KeyFilter::kBilinear : c_.filter;
     const std::array<double, 4> columns = weights(filter, t), rows = weights(filter, u);
     const int near_x = t >= 0.5, near_y = u >= 0.5;
@@ -149,8 +154,10 @@ class CompensationModel {
       const double weight = columns[std::size_t(1 + i)] * rows[std::size_t(1 + j)];
       const double exact = (i ? t : 1 - t) * (j ? u : 1 - u);
       if (tap.match && weight > 0 && exact > largest) standing = tap, largest = exact;
-      if (tap.match) add(sum, weight, tap.colour);
-      else lost += weight;
+      if (tap.match)
+        add(sum, weight, tap.colour);
+      else
+        lost += weight;
     }
     if (standing.match) add(sum, lost, standing.colour);
     return standing.match;

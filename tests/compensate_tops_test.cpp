@@ -8,7 +8,8 @@
 #include "vectors/field_value.hpp"
 
 using TopKeyBlock = halfspace::KeyBlock<halfspace::TopFormats, halfspace::key_side(halfspace::TopFormats::kFilter)>;
-extern "C" void motion_compensate_top(int, int, int, const std::int64_t*, const TopKeyBlock*, const TopKeyBlock*, std::int64_t*);
+extern "C" void motion_compensate_top(int, int, int, const std::int64_t*, const TopKeyBlock*, const TopKeyBlock*,
+                                      std::int64_t*);
 
 namespace halfspace::tests {
 namespace {
@@ -21,7 +22,8 @@ std::vector<TopKeyBlock> memory_of(const vectors::KeyFrame& key) {
   std::vector<TopKeyBlock> memory(std::size_t(tiles_x * tiles_y * blocks_a_tile(kSide)));
   for (int y = 0; y < key.height; ++y) {
     for (int x = 0; x < key.width; ++x) {
-      const int block = (y / 8 * tiles_x + x / 8) * blocks_a_tile(kSide) + y % 8 / kSide * blocks_a_row(kSide) + x % 8 / kSide;
+      const int block =
+          (y / 8 * tiles_x + x / 8) * blocks_a_tile(kSide) + y % 8 / kSide * blocks_a_row(kSide) + x % 8 / kSide;
       TopKeyBlock& out = memory[std::size_t(block)];
       const int lane = y % kSide * kSide + x % kSide;
       const std::size_t at = std::size_t(y) * key.width + x;
@@ -57,8 +59,8 @@ TEST(CompensateTop, GivesTheWordsOfTheKernel) {
     const std::vector<TopKeyBlock> memory_0 = memory_of(frame.key[0]), memory_1 = memory_of(frame.key[1]);
     for (std::size_t n = 0; n < motion->words.size(); ++n) {
       std::vector<std::int64_t> got(std::size_t(kCompensatedFields) + 1, -1);
-      motion_compensate_top(frame.width, frame.height, frame.weight, fields_of(motion->layout, motion->words[n]).data(), memory_0.data(),
-                            memory_1.data(), got.data());
+      motion_compensate_top(frame.width, frame.height, frame.weight, fields_of(motion->layout, motion->words[n]).data(),
+                            memory_0.data(), memory_1.data(), got.data());
       ASSERT_EQ(got.back(), -1);
       got.pop_back();
       ASSERT_EQ(got, fields_of(compensated->layout, compensated->words[n])) << frame.note << ", word " << n;

@@ -95,14 +95,16 @@ void check(const CompensationInput& input, const Configuration& configuration) {
     throw ref::Error(fmt::format("compensation in configuration {}: {}", configuration.name(), why));
   };
   if (input.width < 1 || input.width > c.width || input.height < 1 || input.height > c.height) {
-    refuse(fmt::format("a frame of {}x{} pixels, and {}x{} is the largest: raise its width and height", input.width, input.height,
-                       c.width, c.height));
+    refuse(fmt::format("a frame of {}x{} pixels, and {}x{} is the largest: raise its width and height", input.width,
+                       input.height, c.width, c.height));
   }
   const int width = (input.width + c.samples - 1) / c.samples, height = (input.height + c.samples - 1) / c.samples;
   for (const KeyFrame* key : input.key) {
     const std::size_t pixels = std::size_t(width) * height;
-    if (!key || key->width != width || key->height != height || key->rgb.size() != pixels || key->face.size() != pixels) {
-      refuse(fmt::format("a key frame is not of {}x{} pixels, one for {} each way: render it in that size", width, height, c.samples));
+    if (!key || key->width != width || key->height != height || key->rgb.size() != pixels ||
+        key->face.size() != pixels) {
+      refuse(fmt::format("a key frame is not of {}x{} pixels, one for {} each way: render it in that size", width,
+                         height, c.samples));
     }
   }
   const int most = 1 << (c.vector_range + c.vector_fraction), zero = 1 << (difference_bits(c) - 1);
@@ -112,15 +114,19 @@ void check(const CompensationInput& input, const Configuration& configuration) {
       fits = fits && v.x >= -most && v.x < most && v.y >= -most && v.y < most;
       for (const int d : v.difference) fits = fits && (d == 0 || (c.relight != 0 && d > -zero && d < zero));
     }
-    if (!fits) refuse(fmt::format("a number of pixel {}, {} has no room in its word: raise vector_range or face_bits", m.x, m.y));
+    if (!fits)
+      refuse(
+          fmt::format("a number of pixel {}, {} has no room in its word: raise vector_range or face_bits", m.x, m.y));
   }
   if (input.weight < 0 || input.weight > 1 << c.weight_bits) {
-    refuse(fmt::format("a weight of {}, and 0 … {} are those of weight_bits: round it", input.weight, 1 << c.weight_bits));
+    refuse(
+        fmt::format("a weight of {}, and 0 … {} are those of weight_bits: round it", input.weight, 1 << c.weight_bits));
   }
 }
 
 template <int N>
-CompensatedFrame compensate(const CompensationInput& input, const Config& config, std::vector<CompensationWords>* streams) {
+CompensatedFrame compensate(const CompensationInput& input, const Config& config,
+                            std::vector<CompensationWords>* streams) {
   std::vector<RawMotion> motion = input.motion;
   order_by_tiles(motion, config);
   if (motion.empty()) motion.emplace_back();  // the word that ends a frame
@@ -152,7 +158,8 @@ CompensatedFrame compensate(const CompensationInput& input, const Config& config
     in.write(motion_record(motion[n], n + 1 == motion.size()));
     motion_compensate<F, N>(frame, weights, in, port, out);
     const Compensated<F> pixel = out.read();
-    result.pixels.push_back({int(raw(pixel.x)), int(raw(pixel.y)),
+    result.pixels.push_back({int(raw(pixel.x)),
+                             int(raw(pixel.y)),
                              {std::uint8_t(raw(pixel.r)), std::uint8_t(raw(pixel.g)), std::uint8_t(raw(pixel.b))},
                              int(raw(pixel.keys))});
     result.fills += std::max(requests[0].size() - before[0], requests[1].size() - before[1]);
@@ -199,7 +206,8 @@ void order_by_tiles(std::vector<RawMotion>& motion, const Config& config) {
 Compensator::Compensator(const Configuration& configuration)
     : configuration_(configuration), table_(format_table(configuration.config())) {
   if (!has_motion(configuration.config())) {
-    throw ref::Error(fmt::format("configuration {} has no key frames: take one with shading = \"motion\"", configuration.name()));
+    throw ref::Error(
+        fmt::format("configuration {} has no key frames: take one with shading = \"motion\"", configuration.name()));
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// motion_compensate as a driver sees it, for any configuration with motion: key frames, the motion of the pixels in between, and
-// what becomes of these.
+// motion_compensate as a driver sees it, for any configuration with motion: key frames, the motion of the pixels in
+// between, and what becomes of these.
 #ifndef HALFSPACE_VECTORS_COMPENSATION_HPP_
 #define HALFSPACE_VECTORS_COMPENSATION_HPP_
 
@@ -37,13 +37,13 @@ struct CompensatedPixel {
 };
 
 struct CompensatedFrame {
-  std::vector<CompensatedPixel> pixels;   // a pixel a word, in the order of words
-  std::array<std::size_t, 2> misses{};    // tiles that each key's cache fetched
-  std::size_t fills = 0;                  // of a word the larger number of the two, summed: the caches fill at the same time
-  std::size_t cycles = 0;                 // that hs_motion_compensate takes where nothing makes it wait
+  std::vector<CompensatedPixel> pixels;  // a pixel a word, in the order of words
+  std::array<std::size_t, 2> misses{};   // tiles that each key's cache fetched
+  std::size_t fills = 0;   // of a word the larger number of the two, summed: the caches fill at the same time
+  std::size_t cycles = 0;  // that hs_motion_compensate takes where nothing makes it wait
 };
 
-// Bytes of a pixel of a key frame in its memory, and of a tile.
+// Bits of a pixel of a key frame in its memory.
 int key_pixel_bits(const Config& config);
 
 // Words of one stream of motion_compensate.

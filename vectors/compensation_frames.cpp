@@ -25,7 +25,8 @@ class Maker {
     const int most = (1 << c_.colour_bits) - 1;
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x) {
-        out.face.push_back(std::uint32_t(one_in(12) ? some_face() : faces[std::size_t(y / patch * columns + x / patch)]));
+        out.face.push_back(
+            std::uint32_t(one_in(12) ? some_face() : faces[std::size_t(y / patch * columns + x / patch)]));
         std::array<std::uint8_t, 3>& rgb = out.rgb.emplace_back();
         for (auto& channel : rgb) channel = std::uint8_t(extreme ? below(2) * most : below(most + 1));
       }
@@ -60,7 +61,8 @@ class Maker {
     const int one = c_.samples << c_.vector_fraction, half = 1 << (c_.vector_fraction - 1);
     const int at_x = std::clamp(((2 * x + 1) * half + v.x) / one, 0, key.width - 1);
     const int at_y = std::clamp(((2 * y + 1) * half + v.y) / one, 0, key.height - 1);
-    out.face = one_in(4) ? std::uint32_t(std::min(below(6), most_face())) : key.face[std::size_t(at_y) * key.width + at_x];
+    out.face =
+        one_in(4) ? std::uint32_t(std::min(below(6), most_face())) : key.face[std::size_t(at_y) * key.width + at_x];
     return out;
   }
 
@@ -103,7 +105,8 @@ std::vector<NamedCompensation> compensation_frames(const Config& config, std::ui
   frames.push_back(make.frame("small patches, extreme colours and differences", 21 * s, 18 * s, 2, 2, 400, true));
   frames.push_back(warm_frame(config, 1000, seed));
   frames.push_back(make.frame("anywhere", 70 * s, 50 * s, 7, 30, 120, false));
-  frames.push_back(make.frame("the largest frame", config.width, config.height, 16, 1 << config.vector_range, 60, true));
+  frames.push_back(
+      make.frame("the largest frame", config.width, config.height, 16, 1 << config.vector_range, 60, true));
   return frames;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Of a configuration with motion: HALFSPACE_TOP_CONFIG names it. The caches last from word to word, and are empty at first.
+// Of a configuration with motion: HALFSPACE_TOP_CONFIG names it. The caches last from word to word, and are empty at
+// first.
 #include "../motion_compensate.hpp"
 #include "fields.hpp"
 
@@ -20,7 +21,8 @@ extern "C" void motion_compensate_top(int width, int height, int weight, const s
   frame.weight = from_raw<F::KeyWeight>(weight);
   Probe<KeyRequest<F>> request_0, request_1;
   Probe<KeyBlock<F, kSide>> block_0, block_1;
-  const KeyPort<F, kSide> port[kKeys] = {{&cache_0, memory_0, &request_0, &block_0}, {&cache_1, memory_1, &request_1, &block_1}};
+  const KeyPort<F, kSide> port[kKeys] = {{&cache_0, memory_0, &request_0, &block_0},
+                                         {&cache_1, memory_1, &request_1, &block_1}};
   Stream<Motion<F>> in;
   Stream<Compensated<F>> out;
   in.write(read_fields<Motion<F>>(motion));
