@@ -89,7 +89,7 @@ vectors::TextureFrame texture_of(const LoadedScene& loaded) {
 }
 
 vectors::MotionFrame motion_of(const LoadedScene& loaded) {
-  return vectors::motion_frame(*loaded.between, loaded.configuration.config());
+  return vectors::motion_frame(*loaded.between, loaded.configuration.config(), loaded.change);
 }
 
 std::unique_ptr<vectors::Engine> kernels_of(const LoadedScene& loaded, int lanes) {
@@ -154,11 +154,16 @@ LoadedScene load_between(const SceneInput& input, const vectors::Configuration& 
   const FrameSize size = input.size.empty() ? FrameSize{format.width, format.height} : parse_size(input.size);
   const auto scene = std::make_shared<ref::Scene>(ref::load_scene(input.scene, input.time));
   const ref::View view{size.width, size.height, format.range_bits, format.subpixel_bits};
-  const auto between = std::make_shared<ref::Between>(
-      ref::follow(ref::MotionMethod::kExact, ref::load_scene(input.scene, times[0]), ref::load_scene(input.scene, times[1]), *scene,
-                  (input.time - times[0]) / (times[1] - times[0]), view));
+  const ref::OfKeys<ref::Scene> keys{ref::load_scene(input.scene, times[0]), ref::load_scene(input.scene, times[1])};
+  const auto between = std::make_shared<ref::Between>(ref::follow(ref::MotionMethod::kExact, keys[0], keys[1], *scene,
+                                                                  (input.time - times[0]) / (times[1] - times[0]), view));
+  ref::OfKeys<ref::LightChange> change;
+  for (int k = 0; k < ref::kKeys && relights(configuration.config()); ++k) {
+    ref::Geometry lit(*scene, view), key(keys[k], view);
+    change[k] = ref::light_change(lit, key, format.colour_bits, false);
+  }
   return {snap_scene(input.scene, between->list, format), configuration, [scene](const ref::View& v) { return ref::project(*scene, v); },
-          scene, between};
+          scene, between, change};
 }
 
 }  // namespace

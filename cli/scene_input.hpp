@@ -11,6 +11,7 @@
 #include "ref/architecture.hpp"
 #include "ref/motion.hpp"
 #include "ref/raster.hpp"
+#include "ref/relight.hpp"
 #include "ref/scene.hpp"
 #include "ref/surface.hpp"
 #include "vectors/configuration.hpp"
@@ -41,7 +42,9 @@ struct LoadedScene {
   vectors::Configuration configuration;  // of its format
   vectors::Projection project;           // the scene as another view sees it
   std::shared_ptr<ref::Scene> scene;     // null of a *.tri
-  std::shared_ptr<ref::Between> between;  // of a motion configuration: the triangles of `list`, and where they are in the key frames
+  // Of a motion configuration: the triangles of `list`, where they are in the key frames and, with relight, how they are lit there.
+  std::shared_ptr<ref::Between> between;
+  ref::OfKeys<ref::LightChange> change = {};
 };
 
 // The lights, materials and normals of the triangles. Throws ref::Error where there are none.
@@ -49,7 +52,7 @@ vectors::LightingFrame lighting_of(const LoadedScene& loaded);
 // The textures, and the coordinates of the triangles. Throws ref::Error likewise.
 vectors::TextureFrame texture_of(const LoadedScene& loaded);
 
-// Where the triangles are in the key frames; colours as if they were the same in these.
+// Where the triangles are in the key frames.
 vectors::MotionFrame motion_of(const LoadedScene& loaded);
 
 // The kernels of its configuration, with its lighting, its textures or its motion if they take them.
