@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// The motion field at scan-out (index rendering): for each covered pixel of a frame in between its face, and the way from its
-// centre to the place of the same point in each key frame.
+// The motion field at scan-out (index rendering): for each covered pixel of a frame in between its face, and the way
+// from its centre to the place of the same point in each key frame.
 //
 //   perspective   u = s/q,  q·2^k/2^(b−1) = m in [1, 2),  1/m ≈ y: u = (s·2^k)·y / 2^(b−1)      affine   u = s/2^b
 //   vector        floor(u_x·2^(e+f) + ½)·2^−f + origin_x − (x + ½),  y alike
 //
-// s, t, q are the planes at the pixel, rounded to whole numbers. The product with the reciprocal is kept whole, so that the
-// place is rounded once, half up; origin, pixel and ½ are multiples of 2^−f and add nothing. A vector that does not fit its
-// format is no vector: cut off it would lead to another point. With F::kRelights the planes of colour differences are rounded
-// at the pixel as well. The error is derived in docs/numerics.md.
+// s, t, q are the planes at the pixel, rounded to whole numbers. The product with the reciprocal is kept whole, so that
+// the place is rounded once, half up; origin, pixel and ½ are multiples of 2^−f and add nothing. A vector that does not
+// fit its format is no vector: cut off it would lead to another point. With F::kRelights the planes of colour
+// differences are rounded at the pixel as well. The error is derived in docs/numerics.md.
 //
-// One pixel after the other goes through one set of planes. Cycles of a stamp in the RTL: its covered lanes, one at least.
-// Multipliers there, for each key: two for each plane, and with perspective one in the reciprocal and two with it.
+// One pixel after the other goes through one set of planes. Cycles of a stamp in the RTL: its covered lanes, one at
+// least. Multipliers there, for each key: two for each plane, and with perspective one in the reciprocal and two with
+// it.
 #ifndef HALFSPACE_HLS_MOTION_FIELD_HPP_
 #define HALFSPACE_HLS_MOTION_FIELD_HPP_
 
@@ -29,16 +30,16 @@ bool store_motion_planes(Stream<MotionPlanes<F>>& planes, MotionDatabase<F>& dat
   return raw(in.last) != 0;
 }
 
-// floor(u·2^(e+f) + ½) of u = scaled·2^−point: at most 2^(range_bits + f), 28 bits. With point <= b + 19 and scaled <= 2^point a
-// left shift is one of affine places alone, to e + f + 1 <= 29 bits.
+// floor(u·2^(e+f) + ½) of u = scaled·2^−point: with u < 2, as s <= q + 1, below 2^(range_bits + f + 1), 29 bits. A left
+// shift is one of affine places alone, where scaled < 2^point: to e + f + 1 <= 29 bits.
 inline std::int64_t place_offset(std::uint64_t scaled, int point, int places) {
   const int left = places + 1 - point;
   const std::uint64_t twice = left > 0 ? scaled << left : scaled >> -left;
   return std::int64_t((twice + 1) >> 1);
 }
 
-// From the pixel at `pixel` along an axis, in units of 2^−f: one bit more than a position has before the point, and one for its
-// sum with the offset, so 30 bits.
+// From the centre of pixel `pixel` along an axis, in units of 2^−f: origin less pixel has a bit more than a position
+// before the point, and the sum with the offset one more, 30 bits and a sign.
 template <class F>
 std::int64_t way_to(const typename F::Origin& origin, std::int64_t offset, int pixel) {
   const int f = F::kVectorFraction;
@@ -87,8 +88,8 @@ KeyVector<F> key_vector(const KeyPlanes<F>& planes, int x, int y) {
   return out;
 }
 
-// One stamp: a word for each lane that shows a triangle, lanes in order; for the last stamp of the frame, if none does, a word of
-// face 0.
+// One stamp: a word for each lane that shows a triangle, lanes in order; for the last stamp of the frame, if none does,
+// a word of face 0.
 template <class F>
 void motion_field(Stream<Scan<F>>& scan, const MotionDatabase<F>& database, Stream<Motion<F>>& motion) {
   const Scan<F> in = scan.read();

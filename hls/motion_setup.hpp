@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The planes of a triangle's places in the key frames, for TdbS: of each key s and t, with perspective q, and with F::kRelights
-// three of colour differences. Places and differences are channels as depths and colours are, unsigned, and so their planes have
-// the widths and the bounds of those. Attributes and words of motion come in one order, motion not for empty ones.
-// Interval of the RTL: that of texture_setup, with F::kRelights that of six planes; both keys side by side.
+// The planes of a triangle's places in the key frames, for TdbS: of each key s and t, with perspective q, and with
+// F::kRelights three of colour differences. Places and differences are channels as depths and colours are, unsigned,
+// and so their planes have the widths and the bounds of those. Attributes and words of motion come in one order, motion
+// not for empty ones.
+// Interval of the RTL: that of two planes, with perspective or F::kRelights that of three, as the keys, and places and
+// differences, go side by side.
 #ifndef HALFSPACE_HLS_MOTION_SETUP_HPP_
 #define HALFSPACE_HLS_MOTION_SETUP_HPP_
 
@@ -20,8 +22,8 @@ KeyPlanes<F> key_planes(const PlaneBase<F>& base, const VertexOrder& order, cons
   const typename F::Coordinate* const place[3] = {given.s, given.t, given.q};
 Places:
   for (int i = 0; i < (F::kPerspective ? 3 : 2); ++i) {
-    const auto plane = plane_setup<F, typename F::CoordinateChannel>(base, place[i][order.vertex[0]], place[i][order.vertex[1]],
-                                                                     place[i][order.vertex[2]]);
+    const auto plane = plane_setup<F, typename F::CoordinateChannel>(
+        base, place[i][order.vertex[0]], place[i][order.vertex[1]], place[i][order.vertex[2]]);
     out.start[i] = plane.start;
     out.dx[i] = plane.dx;
     out.dy[i] = plane.dy;
@@ -40,7 +42,8 @@ Differences:
 }
 
 template <class F>
-void motion_setup(Stream<Attributes<F>>& attributes, Stream<MotionVectors<F>>& vectors, Stream<MotionPlanes<F>>& planes) {
+void motion_setup(Stream<Attributes<F>>& attributes, Stream<MotionVectors<F>>& vectors,
+                  Stream<MotionPlanes<F>>& planes) {
   const Attributes<F> in = attributes.read();
 
   MotionPlanes<F> out{};

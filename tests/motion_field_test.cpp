@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The motion field of the kernels against the reference's, within the bound of each pixel: animated scenes, words as no scene has
-// them, and the ends of formats.
+// The motion field of the kernels against the reference's, within the bound of each pixel: animated scenes, words as no
+// scene has them, and the ends of formats.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -63,7 +63,8 @@ struct Exact {
   glm::dvec2 place;  // less the origin, in units of 2^e
   double q, distance, least, spread;
 };
-Exact exact_at(const ref::SnappedTriangle& triangle, const vectors::RawKeyPlaces& key, int x, int y, const Config& config) {
+Exact exact_at(const ref::SnappedTriangle& triangle, const vectors::RawKeyPlaces& key, int x, int y,
+               const Config& config) {
   const int s = config.subpixel_bits;
   const ref::OrderedTriangle t(triangle);
   const auto weight = ref::vertex_weights(t, ref::pixel_centre(x, s), ref::pixel_centre(y, s));
@@ -97,10 +98,11 @@ class MotionFieldTest : public testing::TestWithParam<const char*> {
   const std::unique_ptr<vectors::Engine> engine_ = vectors::make_engine(configuration_, 4);
   const double unit_ = std::ldexp(1.0, -config_.vector_fraction), range_ = std::ldexp(1.0, config_.vector_range);
 
-  ref::Between between(const std::string& name, double first, double second, double a, int width = 160, int height = 120) const {
+  ref::Between between(const std::string& name, double first, double second, double a, int width = 160,
+                       int height = 120) const {
     const double time = (1 - a) * first + a * second;
-    return ref::follow(ref::MotionMethod::kExact, ref::load_scene(name, first), ref::load_scene(name, second), ref::load_scene(name, time),
-                       a, view_of(format_, width, height));
+    return ref::follow(ref::MotionMethod::kExact, ref::load_scene(name, first), ref::load_scene(name, second),
+                       ref::load_scene(name, time), a, view_of(format_, width, height));
   }
   Field drawn(const ref::Between& motion) const {
     return field_of(*engine_, ref::snap(motion.list, format_), vectors::motion_frame(motion, config_));
@@ -115,7 +117,8 @@ void expect_each_pixel_once(const Field& field, int lanes_x, int lanes_y) {
     for (int x = 0; x < width; x += lanes_x) {
       for (int l = 0; l < lanes_x * lanes_y; ++l) {
         const int px = x + l % lanes_x, py = y + l / lanes_x;
-        if (px < width && py < height && field.triangle[std::size_t(py) * width + px] != 0) expected.emplace_back(px, py);
+        if (px < width && py < height && field.triangle[std::size_t(py) * width + px] != 0)
+          expected.emplace_back(px, py);
       }
     }
   }
@@ -135,8 +138,9 @@ TEST_P(MotionFieldTest, AnimationsAreWithinTheBound) {
       const ref::Between motion = between(name, first, first + 5 / 30.0, 0.4);
       const Field field = drawn(motion);
       expect_each_pixel_once(field, engine_->lanes_x(), engine_->lanes_y());
-      const ref::MotionField exact = ref::motion_field(snapped(motion, field.list, config_), format_,
-                                                       has_perspective(config_) ? ref::VectorMapping::kPerspective : ref::VectorMapping::kLinear);
+      const ref::MotionField exact =
+          ref::motion_field(snapped(motion, field.list, config_), format_,
+                            has_perspective(config_) ? ref::VectorMapping::kPerspective : ref::VectorMapping::kLinear);
       for (const auto& word : field.motion) {
         const std::size_t at = std::size_t(word.y) * field.list.width + word.x;
         const std::uint32_t k = field.triangle[at];
@@ -151,8 +155,9 @@ TEST_P(MotionFieldTest, AnimationsAreWithinTheBound) {
           ASSERT_TRUE(exact.to_key[key][at].has_value());
           const Exact at_pixel = exact_at(field.list.triangles[k - 1], words, word.x, word.y, config_);
           const double part = std::max(at_pixel.place.x, at_pixel.place.y);
-          const double bound = vectors::motion_bound(config_, words.extent, part, at_pixel.q, at_pixel.distance) +
-                               vectors::motion_vertex_bound(config_, words.extent, at_pixel.spread, at_pixel.q, at_pixel.least) + kTiny;
+          const double bound =
+              vectors::motion_bound(config_, words.extent, part, at_pixel.q, at_pixel.distance) +
+              vectors::motion_vertex_bound(config_, words.extent, at_pixel.spread, at_pixel.q, at_pixel.least) + kTiny;
           const glm::dvec2 vector = *exact.to_key[key][at];
           if (!word.key[key].there) {
             ++beyond;
@@ -244,7 +249,8 @@ TEST_P(OneTriangle, VectorsReachTheEndsOfTheirRange) {
     double way;
     bool there;
   };
-  for (const Case& one : {Case{last, true}, Case{range_, false}, Case{-range_, true}, Case{-range_ - unit_, false}, Case{guard, false}}) {
+  for (const Case& one :
+       {Case{last, true}, Case{range_, false}, Case{-range_, true}, Case{-range_ - unit_, false}, Case{guard, false}}) {
     for (const glm::dvec2& way : {glm::dvec2(one.way, 0), glm::dvec2(0, one.way)}) {
       const Field field = drawn(moved(way));
       ASSERT_GT(field.motion.size(), 100u);
@@ -290,16 +296,17 @@ TEST_P(OneTriangle, TheEndOfAFrameIsAWord) {
   for (const bool drawn : {true, false}) {
     engine_->move(drawn ? field.words : vectors::MotionFrame{});
     std::size_t words = 0, lasts = 0, of_no_face = 0;
-    engine_->capture(drawn ? field.list : none, [&](const vectors::Layout& layout, const vectors::Word* word, std::size_t count) {
-      if (layout.stream != "motion") return;
-      words = count;
-      for (std::size_t n = 0; n < count; ++n) {
-        const bool last = vectors::field_value(word[n], vectors::field_named(layout, "last")) != 0;
-        lasts += last;
-        of_no_face += vectors::field_value(word[n], vectors::field_named(layout, "face")) == 0;
-        EXPECT_EQ(last, n + 1 == count);
-      }
-    });
+    engine_->capture(drawn ? field.list : none,
+                     [&](const vectors::Layout& layout, const vectors::Word* word, std::size_t count) {
+                       if (layout.stream != "motion") return;
+                       words = count;
+                       for (std::size_t n = 0; n < count; ++n) {
+                         const bool last = vectors::field_value(word[n], vectors::field_named(layout, "last")) != 0;
+                         lasts += last;
+                         of_no_face += vectors::field_value(word[n], vectors::field_named(layout, "face")) == 0;
+                         EXPECT_EQ(last, n + 1 == count);
+                       }
+                     });
     EXPECT_EQ(words, (drawn ? field.motion.size() : 0) + 1);
     EXPECT_EQ(lasts, 1u);
     EXPECT_EQ(of_no_face, 1u);
@@ -324,10 +331,11 @@ TEST_P(MotionFieldTest, AwkwardWordsAreWithinTheBound) {
           continue;
         }
         const Exact exact = exact_at(list.triangles[k - 1], words, word.x, word.y, config_);
-        const double bound =
-            vectors::motion_bound(config_, words.extent, std::max(exact.place.x, exact.place.y), exact.q, exact.distance) + kTiny;
-        const glm::dvec2 vector = glm::dvec2(words.origin_x, words.origin_y) + exact.place * std::ldexp(1.0, words.extent) -
-                                  glm::dvec2(word.x + 0.5, word.y + 0.5);
+        const double bound = vectors::motion_bound(config_, words.extent, std::max(exact.place.x, exact.place.y),
+                                                   exact.q, exact.distance) +
+                             kTiny;
+        const glm::dvec2 vector = glm::dvec2(words.origin_x, words.origin_y) +
+                                  exact.place * std::ldexp(1.0, words.extent) - glm::dvec2(word.x + 0.5, word.y + 0.5);
         if (!word.key[key].there) {
           ++out_of_range;
           ASSERT_GE(std::max(std::abs(vector.x), std::abs(vector.y)), range_ - unit_ - bound);
@@ -354,15 +362,17 @@ TEST_P(MotionFieldTest, AwkwardWordsAreWithinTheBound) {
       }
     }
   }
-  std::printf("%s: awkward words, %.3f of the bound at most, differences %.3f; %zu vectors, %zu out of range\n", GetParam(), share,
-              difference_share, compared, out_of_range);
+  std::printf("%s: awkward words, %.3f of the bound at most, differences %.3f; %zu vectors, %zu out of range\n",
+              GetParam(), share, difference_share, compared, out_of_range);
   EXPECT_GT(compared, 1000u);
   EXPECT_GT(out_of_range, 0u);
   EXPECT_GT(share, 0.5);
 }
 
-INSTANTIATE_TEST_SUITE_P(Configurations, MotionFieldTest, testing::Values("motion_low", "motion_middle", "motion_high", "motion_gamma"));
-INSTANTIATE_TEST_SUITE_P(Configurations, OneTriangle, testing::Values("motion_low", "motion_middle", "motion_high", "motion_gamma"));
+INSTANTIATE_TEST_SUITE_P(Configurations, MotionFieldTest,
+                         testing::Values("motion_low", "motion_middle", "motion_high", "motion_gamma"));
+INSTANTIATE_TEST_SUITE_P(Configurations, OneTriangle,
+                         testing::Values("motion_low", "motion_middle", "motion_high", "motion_gamma"));
 
 // The kernels as compiled for a configuration give the words that they give with formats read at run time.
 template <class C>
@@ -379,8 +389,8 @@ void expect_compiled_words() {
       const vectors::RawMotion &x = a.motion[n], &y = b.motion[n];
       ASSERT_TRUE(x.x == y.x && x.y == y.y && x.face == y.face);
       for (int key = 0; key < ref::kKeys; ++key) {
-        ASSERT_TRUE(x.key[key].there == y.key[key].there && x.key[key].x == y.key[key].x && x.key[key].y == y.key[key].y &&
-                    x.key[key].difference == y.key[key].difference);
+        ASSERT_TRUE(x.key[key].there == y.key[key].there && x.key[key].x == y.key[key].x &&
+                    x.key[key].y == y.key[key].y && x.key[key].difference == y.key[key].difference);
         compared += x.key[key].there;
       }
     }

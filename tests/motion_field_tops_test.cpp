@@ -13,7 +13,8 @@
 
 using TopMotionDatabase = halfspace::MotionDatabase<halfspace::TopFormats>;
 extern "C" void motion_setup_top(const std::int64_t*, const std::int64_t*, std::int64_t*);
-extern "C" int motion_field_top(const std::int64_t*, const TopMotionDatabase*, std::int64_t (*)[halfspace::kMotionFields]);
+extern "C" int motion_field_top(const std::int64_t*, const TopMotionDatabase*,
+                                std::int64_t (*)[halfspace::kMotionFields]);
 
 namespace halfspace::tests {
 namespace {
@@ -58,7 +59,8 @@ TEST(MotionFieldTops, GiveTheWordsOfTheKernels) {
       if (raw(in.empty)) continue;
       const MotionVectors<F> given = vectors::vectors_record<F>(motion.triangles[k], int(k) + 1, false);
       std::vector<std::int64_t> got(std::size_t(kMotionPlanesFields) + 1, kNoField);
-      motion_setup_top(fields_of(in, kAttributesFields).data(), fields_of(given, kMotionVectorsFields).data(), got.data());
+      motion_setup_top(fields_of(in, kAttributesFields).data(), fields_of(given, kMotionVectorsFields).data(),
+                       got.data());
       again.write(in), vectors_of.write(given);
       motion_setup(again, vectors_of, out);
       const MotionPlanes<F> want = out.read();
@@ -82,7 +84,8 @@ TEST(MotionFieldTops, GiveTheWordsOfTheKernels) {
         const Motion<F> word = field.read();
         std::vector<std::int64_t> expected = fields_of(word, kMotionFields);
         expected.pop_back();
-        ASSERT_EQ(std::vector<std::int64_t>(fields[n], fields[n] + kMotionFields), expected) << frame.note << ", triangle " << k + 1;
+        ASSERT_EQ(std::vector<std::int64_t>(fields[n], fields[n] + kMotionFields), expected)
+            << frame.note << ", triangle " << k + 1;
         ++words;
         ends += raw(word.last) != 0;
       }

@@ -14,7 +14,8 @@ int face_number(std::uint32_t face, const Config& config) {
   return int((face - 1) % faces + 1);
 }
 
-RawKeyPlaces quantized_places(const std::array<glm::dvec2, 3>& place, const std::array<double, 3>& weight, const Config& config) {
+RawKeyPlaces quantized_places(const std::array<glm::dvec2, 3>& place, const std::array<double, 3>& weight,
+                              const Config& config) {
   RawKeyPlaces out;
   glm::dvec2 least(place[0]), most(place[0]);
   for (int v = 1; v < 3; ++v) least = glm::min(least, place[v]), most = glm::max(most, place[v]);
@@ -38,10 +39,12 @@ RawKeyPlaces quantized_places(const std::array<glm::dvec2, 3>& place, const std:
   return out;
 }
 
-MotionFrame motion_frame(const ref::Between& between, const Config& config, const ref::OfKeys<ref::LightChange>& change) {
+MotionFrame motion_frame(const ref::Between& between, const Config& config,
+                         const ref::OfKeys<ref::LightChange>& change) {
   for (const ref::LightChange& of_key : change) {
     if (of_key.empty() || of_key.size() == between.traces.size()) continue;
-    throw ref::Error("the colours of a frame in between are not those of its triangles: give as many as it has triangles");
+    throw ref::Error(
+        "the colours of a frame in between are not those of its triangles: give as many as it has triangles");
   }
   MotionFrame frame;
   for (std::size_t k = 0; k < between.traces.size(); ++k) {
@@ -55,7 +58,8 @@ MotionFrame motion_frame(const ref::Between& between, const Config& config, cons
       for (int v = 0; v < 3; ++v) {
         if (!has_perspective(config)) {
           for (int axis = 0; axis < 2; ++axis) {
-            place[v][axis] = std::ldexp(double(ref::snapped_position(place[v][axis], config.subpixel_bits)), -config.subpixel_bits);
+            place[v][axis] =
+                std::ldexp(double(ref::snapped_position(place[v][axis], config.subpixel_bits)), -config.subpixel_bits);
           }
         } else if (!trace.straight) {
           weight[v] = trace.at_key[key][v].w / trace.w[v];

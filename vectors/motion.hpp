@@ -18,7 +18,7 @@ namespace halfspace::vectors {
 struct RawKeyPlaces {
   bool there = false;
   int origin_x = 0, origin_y = 0, extent = 0;
-  std::array<int, 3> s{}, t{}, q{};                     // of the vertices in the order given; affine: q is 0
+  std::array<int, 3> s{}, t{}, q{};                // of the vertices in the order given; affine: q is 0
   std::array<std::array<int, 3>, 3> difference{};  // of r, g, b, each of the vertices
 };
 struct RawMotionVectors {
@@ -33,18 +33,20 @@ struct MotionFrame {
 // The number of a face of the scene in key pixels and motion words: 1 … 2^face_bits − 1, again from 1 after that.
 int face_number(std::uint32_t face, const Config& config);
 
-// Of vertices at `place`, in pixels, and with `weight` = w at the key over w in between, all 1 without perspective. A triangle that
-// leaves the range of positions there has no place in the key frame.
-RawKeyPlaces quantized_places(const std::array<glm::dvec2, 3>& place, const std::array<double, 3>& weight, const Config& config);
+// Of vertices at `place`, in pixels, and with `weight` = w at the key over w in between, all 1 without perspective. A
+// triangle that leaves the range of positions there has no place in the key frame.
+RawKeyPlaces quantized_places(const std::array<glm::dvec2, 3>& place, const std::array<double, 3>& weight,
+                              const Config& config);
 
-// Of the triangles of `between`. Affine: vertices are where they are snapped in either frame, as in ref::fixed_vectors; with
-// perspective at their exact places. A triangle with a vertex nearer than the near plane at a key has no place there. `change` is
-// of those triangles, with relight alone; empty, colours are the same at all times.
-MotionFrame motion_frame(const ref::Between& between, const Config& config, const ref::OfKeys<ref::LightChange>& change = {});
+// Of the triangles of `between`. Affine: vertices are where they are snapped in either frame, as in ref::fixed_vectors;
+// with perspective at their exact places. A triangle with a vertex nearer than the near plane at a key has no place
+// there. `change` is of those triangles, with relight alone; empty, colours are the same at all times.
+MotionFrame motion_frame(const ref::Between& between, const Config& config,
+                         const ref::OfKeys<ref::LightChange>& change = {});
 
-// For the triangles of a frame, from `seed`, as no scene has them: places of all kinds in turn: near the triangle and far from it, at
-// the ends of the range of positions, q as far apart as can be, hardly apart, in any octave, a triangle that is nowhere; differences
-// likewise.
+// For the triangles of a frame, from `seed`, as no scene has them: places of all kinds in turn: near the triangle and
+// far from it, at the ends of the range of positions, q as far apart as can be, hardly apart, in any octave, a triangle
+// that is nowhere; differences likewise.
 MotionFrame awkward_motion(const ref::SnappedList& list, const Config& config, std::uint64_t seed);
 
 }  // namespace halfspace::vectors

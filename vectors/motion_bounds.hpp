@@ -7,13 +7,13 @@
 
 namespace halfspace::vectors {
 
-// Of the words of a triangle at a pixel: places within 2^extent pixels of the origin; `part` is S/Q, 0 … 1, the larger of both axes,
-// and `q` is Q, as exact planes have them, affine Q is 2^b; `distance` is |dx| + |dy| from vertex 0, in pixels. The last rounding is
-// in it.
+// Of the words of a triangle at a pixel: places within 2^extent pixels of the origin; `part` is S/Q, 0 … 1, the larger
+// of both axes, and `q` is Q, as exact planes have them, affine Q is 2^b; `distance` is |dx| + |dy| from vertex 0, in
+// pixels. The last rounding is in it.
 double motion_bound(const Config& config, int extent, double part, double q, double distance);
 
-// What the words of the vertices are off themselves: `spread` is the largest distance of a vertex from the place of the pixel, in
-// units of 2^extent, `least` the least of the three q.
+// What the words of the vertices are off themselves: `spread` is the largest distance of a vertex from the place of the
+// pixel, in units of 2^extent, `least` the least of the three q.
 double motion_vertex_bound(const Config& config, int extent, double spread, double q, double least);
 
 // Of a plane of colour differences, rounded, in units of 2^−kDifferenceFraction LSB.
