@@ -485,7 +485,7 @@ TEST(Crowd, KeepsItsNumberMovingAndInView) {
   EXPECT_THROW(crowd.step(200), Error);
 }
 
-// The setup units set the pace of small triangles, so that their cycles add up to a frame.
+// The setup units set the pace of small triangles, so that their cycles add up to a frame, but for waits.
 TEST(Crowd, CyclesOfAFrameAreThoseOfItsSetup) {
   CrowdOptions options;
   options.objects = 7;
@@ -508,7 +508,7 @@ TEST(Crowd, CyclesOfAFrameAreThoseOfItsSetup) {
   std::printf("%zu triangles: %lu cycles of triangle setup, %lu of shade setup, %lu of the rasterizer; a frame %lu\n",
               list.triangles.size(), triangle_setup, shade_setup, modelled.raster, modelled.frame);
   EXPECT_LT(double(modelled.raster), 0.5 * slowest);
-  EXPECT_NEAR(double(modelled.frame) / slowest, 1, 0.05);
+  EXPECT_NEAR(double(modelled.frame) / slowest, 1, 0.1);
 }
 
 }  // namespace
