@@ -21,7 +21,7 @@ namespace halfspace {
 using TopFormats = Formats<HALFSPACE_TOP_CONFIG, HALFSPACE_TOP_STAMP>;
 
 constexpr int kShadeColours = TopFormats::kGouraud ? 9 : TopFormats::kPhong ? 0 : 3;
-constexpr int kVertexColours = TopFormats::kHasLighting ? 0 : kShadeColours, kVertexDepths = TopFormats::kHasDepth ? 3 : 0;
+constexpr int kVertexColours = TopFormats::kHasColours ? kShadeColours : 0, kVertexDepths = TopFormats::kHasDepth ? 3 : 0;
 constexpr int kTriangleFields = 8 + kVertexDepths + kVertexColours, kSetupFields = 17 + (TopFormats::kHasDepth ? 3 : 0);
 constexpr int kAttributesFields =
     3 + (TopFormats::kSendsShape ? 8 : 0) + (TopFormats::kOrdersVertices ? 2 : 0) + kVertexColours;
