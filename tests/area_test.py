@@ -77,12 +77,14 @@ class Area(unittest.TestCase):
         # What the unit does not see: names, comments, and the colour planes.
         unseen = self.package(("configuration `low`", "configuration `other`"), ("[21:0]", "[22:0]"),
                               ("ColourFraction = 14", "ColourFraction = 15"),
-                              ("ColourPlaneBits = 22", "ColourPlaneBits = 23"))
+                              ("ColourPlaneBits = 22", "ColourPlaneBits = 23"),
+                              (" PlanesWordBits = 213", " PlanesWordBits = 222"))
         other, mapped = self.good(unseen)
         self.assertEqual(mapped, 0, "the key holds more than the unit sees")
         for mine, theirs in zip(first["rows"], other["rows"]):
             self.assertEqual(theirs, {**mine, "config": "other", "package": str(unseen)})
-        self.assertEqual(other["buffers"][-1]["bits"] - first["buffers"][-1]["bits"], 2 * 4096 * 9)
+        wider = {line["buffer"]: line["bits"] for line in other["buffers"]}
+        self.assertEqual(wider["shading_database"] - bits["shading_database"], 2 * 4096 * 9)
 
         # What it does see: an index of one bit more goes through; rows 64 stamps longer take other constants.
         wide = self.package(("[12:0]", "[13:0]"), ("IndexBits = 13", "IndexBits = 14"),

@@ -99,8 +99,22 @@ class Repro(unittest.TestCase):
             skipped += query["starts"] - query["updates"]
         self.assertGreater(skipped, 10)
 
+    def test_up_conversion(self):
+        with tempfile.TemporaryDirectory() as folder:
+            numbers, _ = repro(folder, "C", "gouraud", "--frames", "6", "--size", "160x120")
+            self.assertGreater((pathlib.Path(folder) / "blocks_gouraud_drone.png").stat().st_size, 5000)
+        self.assertEqual(len(numbers["rows"]), 10)
+        for row in numbers["rows"]:
+            made, average = row["kernels"]["compensated"], row["kernels"]["temporal_average"]
+            self.assertGreater(made["psnr_y_db"], average["psnr_y_db"] + 8, row["scene"])
+            self.assertGreater(made["psnr_y_db"], row["as_printed"]["compensated"]["psnr_y_db"], row["scene"])
+            self.assertEqual(made["blocks"]["very bad"], 0, row["scene"])
+            self.assertEqual(row["kernels"]["keys"], [0, 5])
+        self.assertEqual(sum(row["printed"]["compensated_db"] for row in numbers["rows"]) // 10, 33)
+
     def test_bad_calls_say_why(self):
-        for args, words in ((["E", "--objects", "10", "--moving", "8"], "8 of 10 objects"), ((["A", "nowhere.obj"], "nowhere.obj"), (["C"], "")):
+        for args, words in ((["E", "--objects", "10", "--moving", "8"], "8 of 10 objects"), (["A", "nowhere.obj"], "nowhere.obj"),
+                            (["C", "teapot"], "teapot")):
             done = subprocess.run([HALFSPACE, "repro", *args], capture_output=True, text=True)
             self.assertNotEqual(done.returncode, 0)
             self.assertIn(words, done.stderr)
