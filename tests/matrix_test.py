@@ -29,11 +29,11 @@ def configuration(case, path):
     changes = {"name": f'"{case.replace("-", "_")}"', "architecture": f'"{architecture}"', "shading": f'"{shading}"'}
     if shading != "gouraud":
         changes["colour_fraction"] = "0"
+    if shading == "phong":
+        changes["normal_fraction"] = NORMAL_FRACTION[size]
     for key, value in changes.items():
         text, count = re.subn(rf"^{key} = \S+", f"{key} = {value}", text, flags=re.MULTILINE)
         assert count == 1, (key, count)
-    if shading == "phong":
-        text += f"normal_fraction = {NORMAL_FRACTION[size]}\n"
     if texture:
         text += f'texture = "{texture[0]}"\nmapping = "{texture[1]}"\n'
         text += "".join(f"{key} = {value}\n" for key, value in TEXTURE[size].items())
