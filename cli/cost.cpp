@@ -90,18 +90,23 @@ Cost rendered(const char* name, const FrontEnd& front, double picture_pixels, bo
 }
 
 // A frame made of two keys. Multiplications: two a plane, three of perspective a key; of each key's filter three or, bicubic,
-// fifteen a channel; one a channel and key of the blend. A word of motion is written and read, tiles are fetched, the picture is
+// fifteen a channel; one a channel of the blend. A word of motion is written and read, tiles are fetched, the picture is
 // written.
-Cost made(const char* name, const FrontEnd& front, double picture_pixels, const vectors::KernelFrameBetween& between, const Config& motion) {
+Cost made(const char* name, const FrontEnd& front, double picture_pixels, const vectors::KernelFrameBetween& between,
+          const vectors::Configuration& configuration) {
+  const Config motion = configuration.config();
   Cost cost{name, true};
   take_front(cost, front);
   take(cost, "motion_field", front.pixel_scan);
   take(cost, "motion_compensate", double(between.cycles));
   const double planes = (has_perspective(motion) ? 3 : 2) + (relights(motion) ? 3 : 0);
   const double filter = motion.filter == KeyFilter::kNearest ? 0 : motion.filter == KeyFilter::kBicubic ? 15 : 3;
-  cost.multiplications = double(between.words) * 2 * (2 * planes + (has_perspective(motion) ? 3 : 0) + 3 * filter + 3) / picture_pixels;
-  const double word = 3 + motion.face_bits + 20 + 2 * (1 + 2 * (motion.vector_range + 1 + motion.vector_fraction) +
-                                                       (relights(motion) ? 3 * (motion.colour_bits + 1) : 0));
+  cost.multiplications =
+      double(between.words) * (2 * (2 * planes + (has_perspective(motion) ? 3 : 0) + 3 * filter) + 3) / picture_pixels;
+  double word = 0;
+  for (const vectors::Layout& layout : vectors::make_engine(configuration, 1)->layouts()) {
+    if (layout.stream == "motion") word = layout.bits;
+  }
   const double tiles = 64 * double(between.misses[0] + between.misses[1]) * vectors::key_pixel_bits(motion) / 8;
   cost.bytes = (double(between.words) * 2 * word / 8 + tiles) / picture_pixels + 3;
   return cost;
@@ -128,7 +133,7 @@ void cost(const Options& options) {
     const vectors::Configuration motion = vectors::motion_configuration(named, numbers, view.width, view.height);
     vectors::KernelUpConverter converter({size.width, size.height, named, motion});
     converter.set_keys(first, second);
-    const Cost up = made(samples == 1 ? "made of key frames" : "made, 4x4 samples", front, picture_pixels, converter.at(between, 0.4), motion.config());
+    const Cost up = made(samples == 1 ? "made of key frames" : "made, 4x4 samples", front, picture_pixels, converter.at(between, 0.4), motion);
     const bool one = samples == 1;
     const Cost rows[] = {rendered(one ? "rendered, Gouraud" : "rendered, 4x4 samples, Gouraud", front, picture_pixels, false, 0),
                          rendered(one ? "rendered, texture" : "rendered, 4x4 samples, texture", front, picture_pixels, true, 0),
