@@ -15,12 +15,6 @@ struct Options {
   int gain = 4;
 };
 
-Picture picture_of(const ref::Colours& colours, int width, int height) {
-  Picture picture{width, height, {}};
-  for (const auto& c : colours) picture.pixels.push_back({c[0], c[1], c[2]});
-  return picture;
-}
-
 void frames(const Options& options) {
   const FrameSize size = parse_size(options.sequence.size);
   FrameWriter writer(options.output, size.width, size.height, kFramesASecond);
@@ -34,8 +28,7 @@ void frames(const Options& options) {
     if (differences) differences->write(difference_picture(shown, picture_of(frame.rendered, size.width, size.height), options.gain));
     if (frame.is_key) return;
     ++between;
-    shares.background += frame.shares.background, shares.blended += frame.shares.blended;
-    shares.copied += frame.shares.copied, shares.filled += frame.shares.filled;
+    add(shares, frame.shares);
   });
   writer.finish();
   if (differences) differences->finish();

@@ -19,13 +19,13 @@ Picture blank(const ref::Frame& frame) {
 
 }  // namespace
 
-Picture colour_picture(const ref::Frame& frame) {
-  Picture picture = blank(frame);
-  for (std::size_t n = 0; n < frame.colour.size(); ++n) {
-    picture.pixels[n] = {frame.colour[n][0], frame.colour[n][1], frame.colour[n][2]};
-  }
+Picture picture_of(const std::vector<std::array<std::uint8_t, 4>>& colours, int width, int height) {
+  Picture picture{width, height, {}};
+  for (const auto& c : colours) picture.pixels.push_back({c[0], c[1], c[2]});
   return picture;
 }
+
+Picture colour_picture(const ref::Frame& frame) { return picture_of(frame.colour, frame.width, frame.height); }
 
 Picture index_picture(const ref::Frame& frame) {
   Picture picture = blank(frame);

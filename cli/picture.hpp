@@ -18,6 +18,7 @@ struct Picture {
 };
 
 Picture colour_picture(const ref::Frame& frame);
+Picture picture_of(const std::vector<std::array<std::uint8_t, 4>>& colours, int width, int height);
 // Flat colours, one a triangle, from a hash of the index; the background is black.
 Picture index_picture(const ref::Frame& frame);
 // Near is light, far is dark, stretched over the depths that are there; the background is blue.

@@ -155,6 +155,11 @@ int between_of(const std::string& keys) {
 
 }  // namespace
 
+void add(ref::Shares& sum, const ref::Shares& shares) {
+  sum.background += shares.background, sum.blended += shares.blended;
+  sum.copied += shares.copied, sum.filled += shares.filled;
+}
+
 void add_sequence_options(CLI::App* command, SequenceOptions& o) {
   command->add_option("SCENE", o.scene, "an animated scene (" + builtin_names() + ") or a mesh file with an animation")->required();
   command->add_option("--keys", o.keys, "key frames to frames in between, 1:1 … 1:4; auto: as many in between as keep --psnr")->capture_default_str();

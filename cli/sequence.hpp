@@ -40,7 +40,9 @@ struct SequenceFrame {
   std::size_t words = 0, misses[2] = {0, 0}, cycles = 0;  // of kernels
 };
 
-// Key frames and the fill between: `between[i]` frames from the i-th key to the next.
+void add(ref::Shares& sum, const ref::Shares& shares);
+
+// What a sequence was made of.
 struct Sequence {
   int width, height, frames;
   std::vector<int> keys;  // their numbers

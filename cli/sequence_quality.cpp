@@ -17,12 +17,6 @@ Json quality_json(const ref::Quality& q) {
   return {{"psnr_y_db", q.psnr_y}, {"psnr_db", q.psnr}, {"ssim", q.ssim}, {"blocks", blocks}};
 }
 
-Picture picture_of(const ref::Colours& colours, int width, int height) {
-  Picture picture{width, height, {}};
-  for (const auto& c : colours) picture.pixels.push_back({c[0], c[1], c[2]});
-  return picture;
-}
-
 ref::Colours colours_of(const Picture& picture) {
   ref::Colours colours;
   for (const auto& p : picture.pixels) colours.push_back({p[0], p[1], p[2], 255});
@@ -63,8 +57,7 @@ SequenceQuality measure_sequence(const SequenceOptions& options, bool with_minte
     const ref::Quality made = against(frame.shown), mean = against(frame.average);
     compensated.add(made), average.add(mean), repeat.add(against(frame.repeat));
     out.blocks.push_back(made.blocks), out.average_blocks.push_back(mean.blocks);
-    out.shares.background += frame.shares.background, out.shares.blended += frame.shares.blended;
-    out.shares.copied += frame.shares.copied, out.shares.filled += frame.shares.filled;
+    add(out.shares, frame.shares);
     out.words += frame.words, out.misses += frame.misses[0] + frame.misses[1], out.cycles += frame.cycles;
   });
   out.between = compensated.frames();
