@@ -8,6 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "cli/shell.hpp"
 #include "ref/error.hpp"
 #include "vectors/package.hpp"
 #include "vectors/staging.hpp"
@@ -15,14 +16,8 @@
 namespace halfspace::cli {
 namespace {
 
-std::string quoted(const std::string& text) {
-  std::string out = "'";
-  for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return out + "'";
-}
-
 void run(const std::string& command, const std::string& log, const std::string& what) {
-  if (std::system((command + " > " + quoted(log) + " 2>&1").c_str()) != 0) {
+  if (std::system((command + " > " + shell_quoted(log) + " 2>&1").c_str()) != 0) {
     throw ref::Error(fmt::format("{} failed: read {}", what, log));
   }
 }
@@ -35,14 +30,14 @@ Cosimulation cosimulate(const std::string& folder, const std::string& scene, con
   std::filesystem::create_directories(work);
   const std::string package = (work / "hs_formats_pkg.sv").string(), report = (work / "cosim.json").string();
   vectors::write_file(package, vectors::formats_package(configuration));
-  run(fmt::format("python3 {} --package {} --lanes {} --out {} --library {} --library {}", quoted(HALFSPACE_MODEL_TOOL), quoted(package),
-                  lanes, quoted((work / "model").string()), quoted(HALFSPACE_TB_LIBRARY), quoted(HALFSPACE_VERILATED_LIBRARY)),
+  run(fmt::format("python3 {} --package {} --lanes {} --out {} --library {} --library {}", shell_quoted(HALFSPACE_MODEL_TOOL), shell_quoted(package),
+                  lanes, shell_quoted((work / "model").string()), shell_quoted(HALFSPACE_TB_LIBRARY), shell_quoted(HALFSPACE_VERILATED_LIBRARY)),
       (work / "model.log").string(), "building the bench");
   vectors::write_vector_set((work / "vectors").string(), {scene, configuration, lanes, 0}, frames, nullptr);
   std::filesystem::remove(report);
   // Its status tells of mismatches as well: the report decides.
-  const int status = std::system(fmt::format("{} {} --json {} > {} 2>&1", quoted((work / "model" / "bench").string()),
-                                             quoted((work / "vectors").string()), quoted(report), quoted((work / "cosim.log").string()))
+  const int status = std::system(fmt::format("{} {} --json {} > {} 2>&1", shell_quoted((work / "model" / "bench").string()),
+                                             shell_quoted((work / "vectors").string()), shell_quoted(report), shell_quoted((work / "cosim.log").string()))
                                      .c_str());
   std::ifstream file(report);
   const nlohmann::json json = nlohmann::json::parse(file, nullptr, false);

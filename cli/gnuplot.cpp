@@ -4,14 +4,14 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 
+#include "cli/shell.hpp"
 #include "ref/error.hpp"
 
 namespace halfspace::cli {
 
-bool gnuplot_is_installed() { return std::system("command -v gnuplot > /dev/null 2>&1") == 0; }
+bool gnuplot_is_installed() { return is_installed("gnuplot"); }
 
 std::string gnuplot_quoted(const std::string& text) {
   std::string quoted = "'";

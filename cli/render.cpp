@@ -46,11 +46,6 @@ ref::Frame rounded(const ref::IdealFrame& ideal, int depth_bits) {
   return frame;
 }
 
-template <class Kind, std::size_t N>
-Kind kind_of(const Kind (&kinds)[N], const std::string& name) {
-  return *std::find_if(std::begin(kinds), std::end(kinds), [&](Kind kind) { return ref::name_of(kind) == name; });
-}
-
 // What a frame took.
 struct Counts {
   Json rates, buffers;

@@ -16,6 +16,7 @@
 #include "ref/triangle_list.hpp"
 #include "vectors/engine.hpp"
 #include "vectors/frame_lighting.hpp"
+#include "vectors/up_convert.hpp"
 
 namespace halfspace::cli {
 namespace {
@@ -160,11 +161,7 @@ LoadedScene load_between(const SceneInput& input, const vectors::Configuration& 
   LoadedScene loaded{snap_scene(input.scene, between->list, format), configuration,
                      [scene](const ref::View& v) { return ref::project(*scene, v); }, scene, between};
   if (!relights(configuration.config())) return loaded;
-  ref::Geometry lit(*scene, view);
-  for (std::size_t k = 0; k < keys.size(); ++k) {
-    ref::Geometry key(keys[k], view);
-    loaded.change[k] = ref::light_change(lit, key, format.colour_bits, false);
-  }
+  loaded.change = vectors::light_changes(*scene, {&keys[0], &keys[1]}, view, format.colour_bits, false);
   return loaded;
 }
 

@@ -4,6 +4,8 @@
 #define HALFSPACE_CLI_SCENE_INPUT_HPP_
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <string>
 
@@ -68,6 +70,12 @@ ref::TextureMode texture_mode(const Config& config);
 
 // What the reference draws. If the kernels light, lights and viewer are at infinity.
 ref::Frame reference_of(const LoadedScene& loaded);
+
+// The one of that name, which there is.
+template <class Kind, std::size_t N>
+Kind kind_of(const Kind (&kinds)[N], const std::string& name) {
+  return *std::find_if(std::begin(kinds), std::end(kinds), [&](Kind kind) { return ref::name_of(kind) == name; });
+}
 
 struct FrameSize {
   int width = 0, height = 0;

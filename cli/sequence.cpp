@@ -72,11 +72,6 @@ class KernelConverter : public Converter {
   vectors::KernelUpConverter converter_;
 };
 
-template <class Kind, std::size_t N>
-Kind kind_of(const Kind (&kinds)[N], const std::string& name) {
-  return *std::find_if(std::begin(kinds), std::end(kinds), [&](Kind kind) { return ref::name_of(kind) == name; });
-}
-
 std::unique_ptr<Converter> reference_converter(const SequenceOptions& options, const FrameSize& size, const ref::RasterFormat& format) {
   ref::UpConversion mode{size.width, size.height, format};
   mode.samples = options.samples;
@@ -106,15 +101,8 @@ vectors::Configuration colour_configuration(const SequenceOptions& options, cons
     throw ref::Error(fmt::format("--size {}: with {} samples a pixel each way it is more than configuration {} draws: take a smaller "
                                  "one, or a larger configuration", options.size, options.samples, chosen.name()));
   }
-  Config numbers = chosen.config();
-  if (options.texture == "none" || has_texture(numbers)) return chosen;
-  numbers.texture = options.texture == "nearest" ? TextureFilter::kNearest : TextureFilter::kBilinear;
-  numbers.mapping = TextureMapping::kPerspective;
-  numbers.texels = 65536;
-  numbers.textures = 32;
-  numbers.coordinate_bits = std::min(24, numbers.reciprocal_bits - 2);
-  numbers.coordinate_fraction = numbers.depth_fraction;
-  return vectors::Configuration("textured_" + chosen.name(), numbers);
+  if (options.texture == "none" || has_texture(chosen.config())) return chosen;
+  return vectors::textured_configuration(chosen, options.texture == "nearest" ? TextureFilter::kNearest : TextureFilter::kBilinear);
 }
 
 // "weight_bits=4"

@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <csignal>
-#include <cstdlib>
 #include <filesystem>
 #include <optional>
 
+#include "cli/shell.hpp"
 #include "ref/error.hpp"
 #include "vectors/staging.hpp"
 
@@ -30,13 +30,6 @@ std::optional<Numbered> numbered(const std::string& path) {
     throw ref::Error(fmt::format("{}: one number stands in the name of the pictures: write it like frame_%04d.png", path));
   }
   return Numbered{path.substr(0, begin), path.substr(end + 1), digits.empty() ? 1 : std::stoi(digits)};
-}
-
-// In single quotes for the shell.
-std::string quoted(const std::string& text) {
-  std::string out = "'";
-  for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return out + "'";
 }
 
 void need_ffmpeg(const std::string& path) {
@@ -63,7 +56,7 @@ FILE* open_pipe(const std::string& command) {
 
 }  // namespace
 
-bool ffmpeg_is_installed() { return std::system("command -v ffmpeg > /dev/null 2>&1") == 0; }
+bool ffmpeg_is_installed() { return is_installed("ffmpeg"); }
 
 FrameWriter::FrameWriter(std::string path, int width, int height, int frames_a_second) : path_(std::move(path)) {
   const fs::path target(path_);
@@ -77,7 +70,7 @@ FrameWriter::FrameWriter(std::string path, int width, int height, int frames_a_s
   need_ffmpeg(path_);
   // Films of 4:2:0 have even sides.
   const std::string format = ending == ".gif" ? "" : " -vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' -pix_fmt yuv420p -crf 12";
-  film_ = open_pipe(raw_input(width, height, frames_a_second) + format + " -y " + quoted(staged_->path(target.filename().string())));
+  film_ = open_pipe(raw_input(width, height, frames_a_second) + format + " -y " + shell_quoted(staged_->path(target.filename().string())));
 }
 
 FrameWriter::~FrameWriter() {
@@ -110,7 +103,7 @@ std::vector<Picture> interpolated_by_ffmpeg(const std::vector<Picture>& keys, in
   const std::string out = folder.path("between.rgb");
   FILE* const pipe = open_pipe(raw_input(width, height, rate) +
                                fmt::format(" -vf minterpolate=fps={}:mi_mode=mci:mc_mode=aobmc:me_mode=bidir:vsbmc=1:scd=none"
-                                           " -f rawvideo -pix_fmt rgb24 -y {}", rate * factor, quoted(out)));
+                                           " -f rawvideo -pix_fmt rgb24 -y {}", rate * factor, shell_quoted(out)));
   bool sent = true;
   for (const Picture& key : keys) sent = sent && send(pipe, key);
   if (pclose(pipe) != 0 || !sent) throw ref::Error("minterpolate: ffmpeg did not take the pictures: its own message says why");

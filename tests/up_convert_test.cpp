@@ -39,13 +39,8 @@ struct Kind {
 };
 
 Configuration colour_of(const Kind& kind) {
-  Config c = vectors::find_configuration(kind.config).config();
-  if (!kind.textured) return Configuration(kind.config, c);
-  c.texture = TextureFilter::kBilinear;
-  c.mapping = TextureMapping::kPerspective;
-  c.texels = 65536, c.textures = 32;
-  c.coordinate_bits = 24, c.coordinate_fraction = c.depth_fraction;
-  return Configuration("textured", c);
+  const Configuration named = vectors::find_configuration(kind.config);
+  return kind.textured ? vectors::textured_configuration(named, TextureFilter::kBilinear) : named;
 }
 
 ref::Scene scene_at(const Animation& animation, int n, const Config& colour) {

@@ -25,6 +25,13 @@ std::uint8_t stored_colour(std::uint8_t displayed, int bits) {
   return std::uint8_t((displayed * full + 127) / 255);
 }
 
+// Fraction bits of the gradients of planes of b bits that are accepted; 40 where none are.
+int least_fraction(const Config& config, int b) {
+  int g = 0;
+  while (g < 40 && !plane_error_ok(config, b, g)) ++g;
+  return g;
+}
+
 // Half a field, of a word for 2 × 2 pixels of the frame.
 std::vector<RawMotion> doubled(const std::vector<RawMotion>& field, int width, int height, const Config& config) {
   std::vector<RawMotion> out;
@@ -74,13 +81,8 @@ Configuration motion_configuration(const Configuration& colour, const Config& mo
   out.shading = Shading::kMotion;
   // As far as the frame is long, and gradients as fine as they have to be.
   if (out.vector_range == 0) out.vector_range = std::min(13, bits_for(std::max(width, height)));
-  if (out.coordinate_fraction == 0) {
-    while (out.coordinate_fraction < 40 && !plane_error_ok(out, out.coordinate_bits, out.coordinate_fraction)) ++out.coordinate_fraction;
-  }
-  out.colour_fraction = 0;
-  if (relights(out)) {
-    while (out.colour_fraction < 40 && !plane_error_ok(out, colour_plane_bits(out), out.colour_fraction)) ++out.colour_fraction;
-  }
+  if (out.coordinate_fraction == 0) out.coordinate_fraction = least_fraction(out, out.coordinate_bits);
+  out.colour_fraction = relights(out) ? least_fraction(out, colour_plane_bits(out)) : 0;
   return Configuration("motion_" + colour.name(), out);
 }
 
@@ -90,9 +92,30 @@ Configuration colour_configuration(const Configuration& motion) {
   c.filter = KeyFilter::kNone;
   c.mapping = TextureMapping::kAffine;
   c.shading = Shading::kGouraud;
-  c.colour_fraction = 0;
-  while (c.colour_fraction < 40 && !plane_error_ok(c, c.colour_bits, c.colour_fraction)) ++c.colour_fraction;
+  c.colour_fraction = least_fraction(c, c.colour_bits);
   return Configuration("colour_of_" + motion.name(), c);
+}
+
+Configuration textured_configuration(const Configuration& colour, TextureFilter filter) {
+  Config c = colour.config();
+  c.texture = filter;
+  c.mapping = TextureMapping::kPerspective;
+  c.texels = 65536;
+  c.textures = 32;
+  c.coordinate_bits = std::min(24, c.reciprocal_bits - 2);
+  c.coordinate_fraction = c.depth_fraction;
+  return Configuration("textured_" + colour.name(), c);
+}
+
+ref::OfKeys<ref::LightChange> light_changes(const ref::Scene& between, const ref::OfKeys<const ref::Scene*>& keys,
+                                            const ref::View& view, int colour_bits, bool textured) {
+  ref::OfKeys<ref::LightChange> change;
+  ref::Geometry lit(between, view);
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    ref::Geometry key(*keys[k], view);
+    change[k] = ref::light_change(lit, key, colour_bits, textured);
+  }
+  return change;
 }
 
 KernelUpConverter::KernelUpConverter(const KernelUpConversion& mode)
@@ -154,11 +177,7 @@ std::vector<RawMotion> KernelUpConverter::field(const ref::Scene& between, doubl
   const ref::Between motion = ref::follow(mode_.method, *scenes_[0], *scenes_[1], between, a, seen);
   ref::OfKeys<ref::LightChange> change;
   if (relights(motion_)) {
-    ref::Geometry lit(between, seen);
-    for (std::size_t k = 0; k < 2; ++k) {
-      ref::Geometry key(*scenes_[k], seen);
-      change[k] = ref::light_change(lit, key, motion_.colour_bits, has_texture(mode_.colour.config()));
-    }
+    change = light_changes(between, {&*scenes_[0], &*scenes_[1]}, seen, motion_.colour_bits, has_texture(mode_.colour.config()));
   }
   motion_engine_->move(motion_frame(motion, motion_, change));
   const std::vector<RawMotion> words = motion_engine_->motion(ref::snap(motion.list, raster_format(mode_.motion)));

@@ -25,6 +25,13 @@ Configuration motion_configuration(const Configuration& colour, const Config& mo
 // What draws the key frames of a motion configuration: Gouraud shading on the same triangles.
 Configuration colour_configuration(const Configuration& motion);
 
+// What draws the frames of `colour` with textures: a memory of 65,536 texels, in perspective.
+Configuration textured_configuration(const Configuration& colour, TextureFilter filter);
+
+// Of the triangles that `between` has in a view, from each key.
+ref::OfKeys<ref::LightChange> light_changes(const ref::Scene& between, const ref::OfKeys<const ref::Scene*>& keys,
+                                            const ref::View& view, int colour_bits, bool textured);
+
 struct KernelUpConversion {
   int width, height;      // of a frame; even for half a field
   Configuration colour;   // of frames as they are drawn, motion.samples times as large each way

@@ -192,10 +192,11 @@ std::string write_compensation_set(const std::string& folder, const VectorSetOpt
                                    const std::vector<NamedCompensation>& frames,
                                    const std::function<void(std::size_t, std::size_t)>& progress) {
   const Compensator compensator(options.configuration);
+  std::vector<std::vector<CompensationWords>> captured;  // of each frame
   const auto engine = make_engine(options.configuration, options.lanes);
   Json described = Json::array();
   for (const NamedCompensation& frame : frames) {
-    const CompensatedFrame done = compensator.run(frame.input());
+    const CompensatedFrame done = compensator.capture(frame.input(), captured.emplace_back());
     described.push_back({{"width", frame.width},
                          {"height", frame.height},
                          {"background", {0, 0, 0}},
@@ -205,9 +206,7 @@ std::string write_compensation_set(const std::string& folder, const VectorSetOpt
                          {"cycles", done.cycles}});
   }
   const auto capture = [&](std::size_t n, const WordSink& sink) {
-    std::vector<CompensationWords> streams;
-    compensator.capture(frames[n].input(), streams);
-    for (const CompensationWords& stream : streams) sink(stream.layout, stream.words.data(), stream.words.size());
+    for (const CompensationWords& stream : captured[n]) sink(stream.layout, stream.words.data(), stream.words.size());
   };
   return write_streams(folder, options, engine->lanes_x(), engine->lanes_y(), compensator.layouts(), described, capture, progress);
 }
