@@ -44,6 +44,7 @@ Json to_json(const Config& config) {
   for (const auto& field : vectors::lighting_fields()) json[field.name] = config.*field.value;
   for (const auto& field : vectors::texture_fields()) json[field.name] = config.*field.value;
   for (const auto& field : vectors::motion_fields()) json[field.name] = config.*field.value;
+  for (const auto& field : vectors::object_fields()) json[field.name] = config.*field.value;
   return json;
 }
 

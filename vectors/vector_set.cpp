@@ -40,6 +40,9 @@ const std::map<std::string, Ends> kEnds = {
     {"texture_planes", {"texture_setup", "tdbs", ""}},    {"lit", {"shade_gouraud", "shade_texture", "scan"}},
     {"motion_vectors", {"geometry", "motion_setup", ""}}, {"motion_planes", {"motion_setup", "tdbs", ""}},
     {"motion", {"motion_field", "motion_compensate", ""}},
+    {"entry", {"scan_object", "ztest_merge", "scan"}},
+    {"merge", {"driver", "ztest_merge", ""}}, {"stored", {"s_buffer", "ztest_merge", ""}},
+    {"merged", {"ztest_merge", "frame", ""}}, {"found", {"ztest_merge", "driver", ""}},
 };
 
 // A .hex file and the digest of its text.
@@ -162,6 +165,14 @@ std::string write_streams(const std::string& folder, const VectorSetOptions& opt
   return text;
 }
 
+std::vector<std::uint32_t> objects_of(const NamedFrame& frame, const Config& config) {
+  if (!frame.objects.empty()) return frame.objects;
+  const std::uint32_t most = (1u << config.object_bits) - 1;
+  std::vector<std::uint32_t> objects;
+  for (std::size_t k = 0; k < frame.scene.triangles.size(); ++k) objects.push_back(1 + std::uint32_t(k / 4) % most);
+  return objects;
+}
+
 }  // namespace
 
 std::string write_vector_set(const std::string& folder, const VectorSetOptions& options,
@@ -183,6 +194,7 @@ std::string write_vector_set(const std::string& folder, const VectorSetOptions& 
     if (has_lighting(configuration.config())) engine->light(frames[n].lighting);
     if (has_texture(configuration.config())) engine->texture(frames[n].texture);
     if (has_motion(configuration.config())) engine->move(frames[n].motion);
+    if (has_objects(configuration.config())) engine->number(objects_of(frames[n], configuration.config()));
     engine->capture(frames[n].scene, sink);
   };
   return write_streams(folder, options, engine->lanes_x(), engine->lanes_y(), engine->layouts(), described, capture, progress);
@@ -192,7 +204,7 @@ std::string write_compensation_set(const std::string& folder, const VectorSetOpt
                                    const std::vector<NamedCompensation>& frames,
                                    const std::function<void(std::size_t, std::size_t)>& progress) {
   const Compensator compensator(options.configuration);
-  std::vector<std::vector<CompensationWords>> captured;  // of each frame
+  std::vector<std::vector<StreamWords>> captured;  // of each frame
   const auto engine = make_engine(options.configuration, options.lanes);
   Json described = Json::array();
   for (const NamedCompensation& frame : frames) {
@@ -206,7 +218,7 @@ std::string write_compensation_set(const std::string& folder, const VectorSetOpt
                          {"cycles", done.cycles}});
   }
   const auto capture = [&](std::size_t n, const WordSink& sink) {
-    for (const CompensationWords& stream : captured[n]) sink(stream.layout, stream.words.data(), stream.words.size());
+    for (const StreamWords& stream : captured[n]) sink(stream.layout, stream.words.data(), stream.words.size());
   };
   return write_streams(folder, options, engine->lanes_x(), engine->lanes_y(), compensator.layouts(), described, capture, progress);
 }
