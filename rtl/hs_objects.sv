@@ -7,14 +7,14 @@
 //                                              pixel ──────┴► entry
 //
 // Stall: scan waits while the queue is full, an entry until both its words are there. The shader
-// takes the same words of scan beside this, each once it and the queue have room; it needs no later
-// word of scan to send the pixels of an earlier one, so that the queue, were it full, runs empty.
-// The queue does not slow the shader: it holds all stamps that the shader may have between its own
-// queue and its pixel, less the four that are in scan_object. Those are 10 with planes of colours,
-// 5 if flat; 30 with Phong shading (28 cycles in hs_shade_phong with one light, a stamp of background
-// a cycle), and no more than 34 with texture, whose stages wait for these.
-// Interval of an entry: the shader's. It waits for scan_object only where that of the shader is
-// shorter, which none is. Latency: 5 cycles from scan, or the shader's.
+// takes the same words of scan beside this, each when it has room. It needs no later one to send the
+// pixels of those that it has, so that the queue, were it full, runs empty.
+// The queue does not slow the shader: at a stamp a cycle two more stamps are on their way from the
+// fork of scan to `entry` than the shader has cycles, its own queue included, which makes 12 with
+// planes of colours, 7 if flat, 32 with Phong shading and one light, and 35 with texture behind that.
+// Five of them have room outside the queue: at the fork and in scan_object.
+// Interval of an entry: the shader's; scan_object takes no longer for a stamp. Latency: the
+// shader's, which is no less than the 5 cycles from scan to object_pixel.
 // Object table: two banks, the frames in turn. It is written while a frame's triangles come, which
 // hs_frame_control lets in when the frame before the one before has been taken to its end.
 // Illegal: a triangle with an index other than 0 of object 0.
