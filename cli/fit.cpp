@@ -91,8 +91,8 @@ void print_numbers(const Fit& fit, const Configuration& high) {
   fmt::print("\none bit less:\n");
   for (const auto& less : fit.less) fmt::print("  {:<26} {}\n", less.change, less.result);
   const auto mine = vectors::memory_bits(c), theirs = vectors::memory_bits(h);
-  fmt::print("\nframe memories: {:.2f} Mbit (I-buffer {:.2f}, Z-buffer {:.2f}, TdbS {:.2f}, TdbV {:.2f}), {} has {:.2f} Mbit: {:.1f} % saved\n",
-             mine.total() / 1e6, mine.index / 1e6, mine.depth / 1e6, mine.shading / 1e6, mine.visibility / 1e6, high.name(), theirs.total() / 1e6,
+  fmt::print("\nframe memories: {:.2f} Mbit (I-buffer {:.2f}, Z-buffer {:.2f}, TdbS {:.2f}, TdbV {:.2f}, objects {:.2f}), {} has {:.2f} Mbit: {:.1f} % saved\n",
+             mine.total() / 1e6, mine.index / 1e6, mine.depth / 1e6, mine.shading / 1e6, mine.visibility / 1e6, mine.object / 1e6, high.name(), theirs.total() / 1e6,
              100 - 100.0 * mine.total() / theirs.total());
 }
 
