@@ -40,6 +40,7 @@ const Unit kUnits[] = {
     {"motion_setup", "motion_setup_", {"visible_attributes", "motion_vectors"}, {"motion_planes"}, {}, false},
     {"motion_field", "motion_field_", {"scan"}, {"motion"}, {"motion_planes"}, false},
     {"motion_compensate", "motion_compensate_", {"motion", "key_block_0", "key_block_1"}, {"key_request_0", "key_request_1", "compensated"}, {"key_weight"}, false},
+    {"ztest_merge", "ztest_merge_", {"merge", "stored", "entry"}, {"merged", "found"}, {}, false},
 };
 
 // The units of the configuration that a vector set is of: its streams tell which Z-test it has, and a stream that it has not
