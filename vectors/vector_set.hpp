@@ -11,6 +11,7 @@
 #include "vectors/compensation_frames.hpp"
 #include "vectors/configuration.hpp"
 #include "vectors/lighting.hpp"
+#include "vectors/merge_frames.hpp"
 #include "vectors/motion.hpp"
 #include "vectors/texture.hpp"
 
@@ -39,10 +40,12 @@ std::string write_vector_set(const std::string& folder, const VectorSetOptions& 
                              const std::vector<NamedFrame>& frames,
                              const std::function<void(std::size_t, std::size_t)>& progress);
 
-// Those of motion_compensate alone, likewise.
+// Those of motion_compensate alone, likewise; and of ztest_merge, a run a frame.
 std::string write_compensation_set(const std::string& folder, const VectorSetOptions& options,
                                    const std::vector<NamedCompensation>& frames,
                                    const std::function<void(std::size_t, std::size_t)>& progress);
+std::string write_merge_set(const std::string& folder, const VectorSetOptions& options, const std::vector<NamedMerge>& runs,
+                            const std::function<void(std::size_t, std::size_t)>& progress);
 
 }  // namespace halfspace::vectors
 
