@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "ref/static_instances.hpp"
-#include "ref/viewpoint.hpp"
+#include "ref/geometry.hpp"
 #include "vectors/fit.hpp"
 
 namespace halfspace::vectors {
@@ -33,13 +33,24 @@ FitObjects choose_objects(Config& c, const FitScene& scene, const std::function<
   const double aspect = double(scene.width) / scene.height;
   FitScene moving = scene;
   moving.frames.clear();
-  for (std::size_t k = 1; k < scene.scenes.size(); ++k) {
-    const ref::Scene& now = *scene.scenes[k];
-    const std::vector<bool> stands = ref::same_instances(*scene.scenes[k - 1], now, aspect);
+  // Depths of two frames compare if they are of the same planes.
+  std::vector<const ref::Scene*> times;
+  for (const auto& time : scene.scenes) times.push_back(time.get());
+  const ref::DepthPlanes planes = ref::held_planes(times, aspect);
+  const auto held = [&](std::size_t k) {
+    ref::Scene result = *times[k];
+    result.depth_planes = planes;
+    return result;
+  };
+  ref::Scene before = held(0);
+  for (std::size_t k = 1; k < times.size(); ++k) {
+    const ref::Scene now = held(k);
+    const std::vector<bool> stands = ref::same_instances(before, now, aspect);
     const std::size_t standing = std::size_t(std::count(stands.begin(), stands.end(), true));
     found.standing = k == 1 ? standing : std::min(found.standing, standing);
     found.moving = std::max(found.moving, stands.size() - standing);
     moving.frames.push_back([part = only(now, stands)](const ref::View& view) { return ref::project(part, view); });
+    before = now;
   }
   if (found.moving == 0) return none("nothing moves");
   if (found.standing == 0) return none("in some frame nothing stands still, or the viewpoint or a light moves");
