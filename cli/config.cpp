@@ -65,12 +65,13 @@ void print_table(const std::vector<Configuration>& configurations, bool markdown
   };
   choice("shading");
   choice("architecture");
-  const bool lit = any(has_lighting), textured = any(has_texture), moves = any(has_motion);
+  const bool lit = any(has_lighting), textured = any(has_texture), moves = any(has_motion), numbered = any(has_objects);
   if (lit) numbers(vectors::lighting_fields());
   if (textured) choice("texture");
   if (textured || moves) choice("mapping");
   if (textured) numbers(vectors::texture_fields());
   if (moves) choice("filter"), numbers(vectors::motion_fields());
+  if (numbered) numbers(vectors::object_fields());
   auto formats = [&](const std::vector<vectors::FormatField>& fields) {
     for (const auto& field : fields) {
       std::vector<std::string> cells;
@@ -85,6 +86,7 @@ void print_table(const std::vector<Configuration>& configurations, bool markdown
   if (lit) formats(vectors::lighting_format_fields());
   if (textured || moves) formats(vectors::texture_format_fields());
   if (moves) formats(vectors::motion_format_fields());
+  if (numbered) formats(vectors::object_format_fields());
 }
 
 struct Options {

@@ -44,6 +44,7 @@ Json to_json(const Config& config) {
   for (const auto& field : vectors::lighting_fields()) json[field.name] = config.*field.value;
   for (const auto& field : vectors::texture_fields()) json[field.name] = config.*field.value;
   for (const auto& field : vectors::motion_fields()) json[field.name] = config.*field.value;
+  for (const auto& field : vectors::object_fields()) json[field.name] = config.*field.value;
   return json;
 }
 
@@ -84,7 +85,7 @@ Json to_json(const ref::BufferUses& needed, const vectors::BufferBits& bits, con
 
 Json to_json(const vectors::MemoryBits& m) {
   return {{"index_buffer", m.index}, {"depth_buffer", m.depth}, {"shading_database", m.shading},
-          {"visibility_database", m.visibility}, {"total", m.total()}};
+          {"visibility_database", m.visibility}, {"object_table", m.object}, {"total", m.total()}};
 }
 
 }  // namespace halfspace::cli

@@ -11,6 +11,7 @@
 #include "vectors/engine.hpp"
 #include "vectors/extremes.hpp"
 #include "vectors/frame_lighting.hpp"
+#include "vectors/merge_frames.hpp"
 #include "vectors/standard_set.hpp"
 #include "vectors/up_convert.hpp"
 #include "vectors/vector_set.hpp"
@@ -69,18 +70,26 @@ vectors::NamedCompensation compensation_of(const Options& options, const vectors
 void write_vectors(const Options& options) {
   std::vector<vectors::NamedFrame> frames;
   vectors::Configuration configuration = vectors::find_configuration(options.input.config.empty() ? "middle" : options.input.config);
-  if (options.input.scene == "compensation" || options.compensation) {
+  const bool merge = options.input.scene == "merge";
+  if (merge || options.input.scene == "compensation" || options.compensation) {
     vectors::VectorSetOptions set;
     set.scene = options.input.scene;
     set.configuration = configuration;
     set.lanes = options.lanes ? options.lanes : configuration.config().lanes;
     set.seed = options.seed;
     Progress progress("vectors " + set.scene);
+    const auto told = [&](std::size_t done, std::size_t total) { progress.tell(done, total); };
+    const Config config = configuration.config();
+    if (merge) {
+      vectors::Merger(configuration, set.lanes);  // refuses one without objects
+      tell(options, configuration, vectors::write_merge_set(options.out, set, vectors::merge_frames(config, options.seed), told));
+      return;
+    }
     tell(options, configuration,
          vectors::write_compensation_set(options.out, set,
                                          options.compensation ? std::vector<vectors::NamedCompensation>{compensation_of(options, configuration)}
-                                                              : vectors::compensation_frames(configuration.config(), options.seed),
-                                         [&](std::size_t done, std::size_t total) { progress.tell(done, total); }));
+                                                              : vectors::compensation_frames(config, options.seed),
+                                         told));
     return;
   }
   const bool standard = options.input.scene == "standard", largest = options.input.scene == "largest";
@@ -139,8 +148,9 @@ void add_vectors(CLI::App& app, int&) {
   CLI::App* command = app.add_subcommand("vectors", "write the words of every stream between two units");
   command->footer(
       "Annotated corner cases come first, then random frames, then the frame of SCENE; `standard` as SCENE stands\n"
-      "for the first two alone, `largest` for the largest frame and the last index, and `compensation` for the unit of that\n"
-      "name in a configuration with motion. Each stream is a text file that $readmemh reads; manifest.json tells the fields.\n");
+      "for the first two alone, `largest` for the largest frame and the last index, `compensation` for the unit of that\n"
+      "name in a configuration with motion, `merge` for the one that merges buffers in a configuration with objects. Each\n"
+      "stream is a text file that $readmemh reads; manifest.json tells the fields.\n");
   add_scene_options(command, options->input);
   command->add_option("--lanes", options->lanes, "pixels a stamp: 1, 2, 4, 8, 16; default: the configuration's");
   command->add_option("--out", options->out, "folder to write")->required();

@@ -19,6 +19,12 @@ struct DepthBuffer {
   typename F::Depth depth[F::kStoresDepth ? F::kStamps : 1][F::kLanes];
 };
 
+// The object of each triangle, with F::kHasObjects: entry index − 1.
+template <class F>
+struct ObjectTable {
+  typename F::Object object[F::kHasObjects ? F::kTriangles : 1];
+};
+
 // TdbS, the triangle database for shading: entry index − 1.
 template <class F>
 struct ShadingDatabase {
@@ -90,6 +96,7 @@ template <class F>
 struct Buffers {
   IndexBuffer<F> index;
   DepthBuffer<F> depth;
+  ObjectTable<F> objects;
   ShadingDatabase<F> shading;
   NormalDatabase<F> normals;
   VisibilityDatabase<F> visibility;

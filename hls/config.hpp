@@ -64,6 +64,8 @@ struct Config {
   int face_bits = 0;        // of the number of a face, 1 … 2^face_bits − 1
   int relight = 0;          // 1: planes of what the colour in between differs by from a key's
   int samples = 0;          // pixels of the frame in between a pixel of a key frame, each way: 1, 2, 4
+  // Static objects buffers: of the number of an object, 1 … 2^object_bits − 1; 0: pixels know no object, and nothing is merged.
+  int object_bits = 0;
 };
 
 constexpr bool has_depth(const Config& c) { return c.depth_bits != 0; }
@@ -81,6 +83,7 @@ constexpr bool is_bilinear(const Config& c) { return c.texture == TextureFilter:
 constexpr bool has_perspective(const Config& c) { return c.mapping == TextureMapping::kPerspective; }
 constexpr bool has_motion(const Config& c) { return c.shading == Shading::kMotion; }
 constexpr bool relights(const Config& c) { return c.relight != 0; }
+constexpr bool has_objects(const Config& c) { return c.object_bits != 0; }
 // N: a key frame's pixels are kept in N × N banks, by column and row modulo N, of which a filter reads each at once.
 constexpr int key_side(KeyFilter filter) { return filter == KeyFilter::kBicubic ? 4 : 2; }
 // Whether there are planes of coordinates: of a texture, or of places in key frames.
@@ -175,6 +178,8 @@ enum class Refusal {
   kRelight,             // 0, 1
   kSamples,             // 1, 2, 4
   kIdleMotion,          // a number of motion where there is none
+  kObjectBits,          // 0 … 22
+  kObjectsNeedDepth,    // a merge compares depths that a Z-buffer holds: not without it, and not of a frame in between
 };
 
 // |error| <= 2^(b−r) + (|dx| + |dy|)·2^−(g+1) < ½ LSB, for the farthest vertex that a pixel of the frame can be measured
@@ -229,6 +234,8 @@ constexpr Refusal refusal(const Config& c) {
              c.face_bits != 0 || c.relight != 0 || c.samples != 0) {
     return Refusal::kIdleMotion;
   }
+  if (!within(c.object_bits, 0, 22)) return Refusal::kObjectBits;
+  if (has_objects(c) && (!stores_depth(c) || has_motion(c))) return Refusal::kObjectsNeedDepth;
   const int longer_side = c.width > c.height ? c.width : c.height;
   const int margin = 3 * 4;  // pixels of the stamps around the frame, 4 at most each way
   if (!within(c.range_bits, 1, 20) || longer_side + margin > 1 << (c.range_bits - 1)) return Refusal::kFrameOutsideRange;

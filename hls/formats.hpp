@@ -33,6 +33,7 @@ struct FormatTable {
   NumberFormat tile_x, tile_y, key_place, tap_weight, key_sum, key_blend;
   NumberFormat difference, difference_plane, difference_gradient, difference_numerator;
   NumberFormat difference_start, difference_start_gradient;
+  NumberFormat object, object_count;
 };
 
 // A coefficient of a material, in LSB of the colour: 2^kCoefficientHead times full scale, so that a light brighter than
@@ -217,6 +218,10 @@ constexpr FormatTable format_table(const Config& c) {
   t.colour_numerator = colour.numerator;
   t.colour_start = colour.start;
   t.colour_start_gradient = colour.start_gradient;
+  // 0 is the background; and how many pixels of a frame show an object.
+  const int object = has_objects(c) ? c.object_bits : 1;
+  t.object = {object, object, false};
+  t.object_count = {bits_for(c.width * c.height), bits_for(c.width * c.height), false};
   return motion_formats(c, texture_formats(c, lighting_formats(c, t)));
 }
 
@@ -262,6 +267,7 @@ struct Formats {
   static constexpr bool kPerspective = has_perspective(config());
   static constexpr bool kHasMotion = has_motion(config()), kRelights = relights(config());
   static constexpr bool kHasColours = has_colours(config());
+  static constexpr bool kHasObjects = has_objects(config());
   static constexpr KeyFilter kFilter = config().filter;
   static constexpr bool kSendsShape = sends_shape(config()), kOrdersVertices = orders_vertices(config());
   static constexpr bool kStoresDepth = stores_depth(config()), kTestsPlanes = tests_planes(config());
@@ -382,6 +388,8 @@ struct Formats {
     using Start = HS_NUMBER(difference_start);
     using StartGradient = HS_NUMBER(difference_start_gradient);
   };
+  using Object = HS_NUMBER(object);
+  using ObjectCount = HS_NUMBER(object_count);
 #undef HS_NUMBER
 };
 

@@ -10,6 +10,7 @@
 #include "phong_setup.hpp"
 #include "raster_pineda.hpp"
 #include "scan_index.hpp"
+#include "scan_object.hpp"
 #include "shade_gouraud.hpp"
 #include "shade_phong.hpp"
 #include "shade_setup.hpp"
@@ -24,7 +25,7 @@ namespace halfspace {
 
 template <class F>
 struct Streams {
-  Stream<Triangle<F>> triangle;
+  Stream<Triangle<F>> triangle, drawn_triangle, numbered_triangle;  // the last two with objects: copies
   Stream<Setup<F>> setup;
   Stream<Attributes<F>> attributes;
   Stream<Attributes<F>> visible_attributes, shade_attributes, texture_attributes;  // the last two with texture: copies
@@ -42,9 +43,12 @@ struct Streams {
   Probe<PlaneTests> tests;
   Probe<Update<F>> update;
   Stream<Visible<F>> tested, visible;  // before and after visible_select, if there is one
-  Stream<Scan<F>> scan, shade_scan, texture_scan;  // likewise
+  Stream<Scan<F>> scan, pixel_scan, object_scan;   // the last two with objects: copies
+  Stream<Scan<F>> shade_scan, texture_scan;        // with texture
   Stream<Pixel<F>> lit, pixel;                     // lit: with texture alone
   Stream<Motion<F>> motion;                        // in the place of pixel
+  Stream<ObjectPixel<F>> object_pixel;
+  Stream<Entry<F>> entry;                          // with objects, in the place of pixel
 };
 
 template <class F>
@@ -117,7 +121,11 @@ void pipeline_motion_planes(Streams<F>& streams, Buffers<F>& buffers, std::true_
 // One triangle from streams.triangle into the I-buffer, and what geometry hears of it into streams.visible.
 template <class F>
 void pipeline_triangle(const Frame<F>& frame, Streams<F>& streams, Buffers<F>& buffers) {
-  triangle_setup(frame, streams.triangle, streams.setup, streams.attributes);
+  if (F::kHasObjects) {
+    fork(streams.triangle, streams.drawn_triangle, streams.numbered_triangle);
+    store_object(streams.numbered_triangle, buffers.objects);
+  }
+  triangle_setup(frame, F::kHasObjects ? streams.drawn_triangle : streams.triangle, streams.setup, streams.attributes);
   raster_pineda(frame, streams.setup, streams.stamp, streams.triangle_depth, streams.visits);
   pipeline_test(streams, buffers, typename F::CompilesPlaneTest());
   if (F::kDeferred) visible_select(streams.attributes, streams.tested, streams.visible, streams.visible_attributes);
@@ -140,7 +148,7 @@ void pipeline_scan(const Frame<F>& frame, int y, Streams<F>& streams, Buffers<F>
   scan_index(frame, y, buffers.index, streams.scan);
 }
 
-// One stamp of it, without texture.
+// A stamp, without texture.
 template <class F>
 void pipeline_light(const Frame<F>& frame, Stream<Scan<F>>& scan, Buffers<F>& buffers, Stream<Pixel<F>>& pixel, std::false_type) {
   shade_gouraud(frame, scan, buffers.shading, pixel);
@@ -151,21 +159,32 @@ void pipeline_light(const Frame<F>& frame, Stream<Scan<F>>& scan, Buffers<F>& bu
   shade_phong(frame, scan, buffers.normals, buffers.lights, buffers.materials, pixel);
 }
 
-// One stamp of it into streams.pixel.
+// The stamps that a shader takes.
+template <class F>
+Stream<Scan<F>>& shaded_stream(Streams<F>& streams) {
+  return F::kHasObjects ? streams.pixel_scan : streams.scan;
+}
+
+// One of them into streams.pixel.
 template <class F>
 void pipeline_shade(const Frame<F>& frame, Streams<F>& streams, Buffers<F>& buffers, std::false_type) {
-  pipeline_light(frame, streams.scan, buffers, streams.pixel, typename F::CompilesPhong());
+  pipeline_light(frame, shaded_stream(streams), buffers, streams.pixel, typename F::CompilesPhong());
 }
 template <class F>
 void pipeline_shade(const Frame<F>& frame, Streams<F>& streams, Buffers<F>& buffers, std::true_type) {
   if (!F::kHasTexture) return pipeline_shade(frame, streams, buffers, std::false_type());
-  fork(streams.scan, streams.shade_scan, streams.texture_scan);
+  fork(shaded_stream(streams), streams.shade_scan, streams.texture_scan);
   pipeline_light(frame, streams.shade_scan, buffers, streams.lit, typename F::CompilesPhong());
   shade_texture(streams.texture_scan, streams.lit, buffers.coordinates, buffers.textures, buffers.texels, streams.pixel);
 }
 template <class F>
 void pipeline_shade(const Frame<F>& frame, Streams<F>& streams, Buffers<F>& buffers) {
+  if (F::kHasObjects) {
+    fork(streams.scan, streams.pixel_scan, streams.object_scan);
+    scan_object(streams.object_scan, buffers.depth, buffers.objects, streams.object_pixel);
+  }
   pipeline_shade(frame, streams, buffers, typename F::CompilesTexture());
+  if (F::kHasObjects) join_entry(streams.pixel, streams.object_pixel, streams.entry);
 }
 
 // With F::kHasMotion in the place of that: one stamp into streams.motion.

@@ -7,7 +7,7 @@
 // vectors find them aligned. A field that a configuration has no use for is not visited, so that no word has it: depths without
 // F::kHasDepth, depths of the Z-buffer without F::kStoresDepth, colours of the other vertices and colour planes without
 // F::kGouraud. With F::kHasLighting a triangle comes without colours, and its normals once it is visible; with F::kPhong its planes
-// are of normals. With F::kHasTexture it has planes of texture coordinates besides.
+// are of normals. With F::kHasTexture it has planes of texture coordinates besides. With F::kHasObjects it knows its object.
 #ifndef HALFSPACE_HLS_RECORDS_HPP_
 #define HALFSPACE_HLS_RECORDS_HPP_
 
@@ -45,6 +45,7 @@ struct Triangle {
   static constexpr const char* kStream = "triangle";
   Bit last;  // of the frame
   typename F::Index index;
+  typename F::Object object;  // that the triangle is of; not 0
   typename F::Coord x[3], y[3];
   typename F::Depth depth[3];
   typename F::Colour r[3], g[3], b[3];  // flat: at [0]
@@ -52,6 +53,7 @@ struct Triangle {
   template <class V>
   void visit(V&& v) {
     v("last", last), v("index", index);
+    if (F::kHasObjects) v("object", object);
     v("x0", x[0]), v("x1", x[1]), v("x2", x[2]);
     v("y0", y[0]), v("y1", y[1]), v("y2", y[2]);
     if (F::kHasDepth) v("depth0", depth[0]), v("depth1", depth[1]), v("depth2", depth[2]);

@@ -8,15 +8,15 @@ import sys
 # What a file of hls/ may include, lowest first. Files of one level do not include each other.
 LEVELS = [["config"], ["low", "middle", "high"], ["fixed_rules"], ["fixed_native", "fixed_library"],
           ["fixed_systemc", "fixed_ap", "fixed_ac"], ["fixed"], ["formats"], ["records", "stream"],
-          ["buffers", "reciprocal", "reciprocal_sqrt", "reciprocal_lookup", "lanes", "key_records"],
+          ["buffers", "reciprocal", "reciprocal_sqrt", "reciprocal_lookup", "lanes", "key_records", "object_records"],
           ["plane", "lighting", "key_filter", "key_cache"],
-          ["triangle_setup", "shade_setup", "raster_pineda", "ztest_index", "ztest_plane", "scan_index", "shade_gouraud", "light_vertex",
+          ["triangle_setup", "shade_setup", "raster_pineda", "ztest_index", "ztest_plane", "scan_index", "scan_object", "ztest_merge", "shade_gouraud", "light_vertex",
            "phong_setup", "shade_phong", "texture_setup", "shade_texture", "motion_setup", "motion_field", "motion_compensate",
            "visible_select"],
           ["pipeline"],
           ["fields"],
           ["triangle_setup_top", "shade_setup_top", "raster_pineda_top", "ztest_index_top", "ztest_plane_top",
-           "scan_index_top", "shade_gouraud_top", "light_vertex_top", "phong_setup_top", "shade_phong_top", "texture_setup_top",
+           "scan_index_top", "scan_object_top", "ztest_merge_top", "shade_gouraud_top", "light_vertex_top", "phong_setup_top", "shade_phong_top", "texture_setup_top",
            "shade_texture_top", "motion_setup_top", "motion_field_top", "motion_compensate_top",
            "shade_setup_lit_top", "visible_select_top"]]
 # Which folders a folder may include from.

@@ -46,10 +46,10 @@ TEST(CompensateTop, GivesTheWordsOfTheKernel) {
   const vectors::Compensator compensator(vectors::Configuration(F::config().name, F::config()));
   std::size_t compared = 0, shown = 0;
   for (const vectors::NamedCompensation& frame : vectors::compensation_frames(F::config(), 5)) {
-    std::vector<vectors::CompensationWords> streams;
+    std::vector<vectors::StreamWords> streams;
     compensator.capture(frame.input(), streams);
-    const vectors::CompensationWords *motion = nullptr, *compensated = nullptr;
-    for (const vectors::CompensationWords& stream : streams) {
+    const vectors::StreamWords *motion = nullptr, *compensated = nullptr;
+    for (const vectors::StreamWords& stream : streams) {
       if (stream.layout.stream == "motion") motion = &stream;
       if (stream.layout.stream == "compensated") compensated = &stream;
     }

@@ -4,7 +4,7 @@ target_compile_definitions(features_test PRIVATE HALFSPACE_SOURCE="${PROJECT_SOU
 
 file(GLOB tops CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/hls/top/*_top.cpp)
 list(FILTER tops EXCLUDE REGEX
-     "/(light_vertex|visible_select|shade_setup_lit|phong_setup|shade_phong|texture_setup|shade_texture|motion_setup|motion_field|motion_compensate)_top")  # lighting.cmake, texture.cmake
+     "/(light_vertex|visible_select|shade_setup_lit|phong_setup|shade_phong|texture_setup|shade_texture|motion_setup|motion_field|motion_compensate|scan_object|ztest_merge)_top")  # lighting.cmake, texture.cmake
 foreach(config IN ITEMS GouraudOnly FlatDepth FlatOnly Gamma)
   halfspace_tops_test(tops_test_${config} tops_test.cpp ${config} feature_configs.hpp ${tops})
   set_target_properties(tops_tops_test_${config} PROPERTIES UNITY_BUILD ON)

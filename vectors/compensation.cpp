@@ -43,13 +43,6 @@ Layout named_layout(const char* stream) {
   return result;
 }
 
-template <class Record>
-CompensationWords words_of(const std::vector<Record>& records, const Layout& layout) {
-  CompensationWords out{layout, {}};
-  for (const Record& record : records) out.words.push_back(pack(record, layout.bits));
-  return out;
-}
-
 // The memory of a key frame: blocks of a tile together; beyond the frame pixels of no face.
 template <int N>
 std::vector<KeyBlock<F, N>> key_memory(const KeyFrame& key) {
@@ -126,7 +119,7 @@ void check(const CompensationInput& input, const Configuration& configuration) {
 
 template <int N>
 CompensatedFrame compensate(const CompensationInput& input, const Config& config,
-                            std::vector<CompensationWords>* streams) {
+                            std::vector<StreamWords>* streams) {
   std::vector<RawMotion> motion = input.motion;
   order_by_tiles(motion, config);
   if (motion.empty()) motion.emplace_back();  // the word that ends a frame
@@ -170,13 +163,13 @@ CompensatedFrame compensate(const CompensationInput& input, const Config& config
   if (streams) {
     KeyWeightWord<F> weight;
     weight.weight = frame.weight;
-    *streams = {words_of<KeyWeightWord<F>>({weight}, layout<KeyWeightWord<F>>()),
-                words_of(words, layout<Motion<F>>()),
-                words_of(requests[0], named_layout<KeyRequest<F>>(kRequests[0])),
-                words_of(requests[1], named_layout<KeyRequest<F>>(kRequests[1])),
-                words_of(blocks[0], named_layout<KeyBlock<F, N>>(kBlocks[0])),
-                words_of(blocks[1], named_layout<KeyBlock<F, N>>(kBlocks[1])),
-                words_of(compensated, layout<Compensated<F>>())};
+    *streams = {stream_words<KeyWeightWord<F>>({weight}, layout<KeyWeightWord<F>>()),
+                stream_words(words, layout<Motion<F>>()),
+                stream_words(requests[0], named_layout<KeyRequest<F>>(kRequests[0])),
+                stream_words(requests[1], named_layout<KeyRequest<F>>(kRequests[1])),
+                stream_words(blocks[0], named_layout<KeyBlock<F, N>>(kBlocks[0])),
+                stream_words(blocks[1], named_layout<KeyBlock<F, N>>(kBlocks[1])),
+                stream_words(compensated, layout<Compensated<F>>())};
   }
   return result;
 }
@@ -218,7 +211,7 @@ CompensatedFrame Compensator::run(const CompensationInput& input) const {
   return key_side(config.filter) == 4 ? compensate<4>(input, config, nullptr) : compensate<2>(input, config, nullptr);
 }
 
-CompensatedFrame Compensator::capture(const CompensationInput& input, std::vector<CompensationWords>& streams) const {
+CompensatedFrame Compensator::capture(const CompensationInput& input, std::vector<StreamWords>& streams) const {
   check(input, configuration_);
   const Config config = configuration_.config();
   F::activate(config, table_);

@@ -46,12 +46,6 @@ struct CompensatedFrame {
 // Bits of a pixel of a key frame in its memory.
 int key_pixel_bits(const Config& config);
 
-// Words of one stream of motion_compensate.
-struct CompensationWords {
-  Layout layout;
-  std::vector<Word> words;
-};
-
 class Compensator {
  public:
   // Throws ref::Error without motion.
@@ -59,7 +53,7 @@ class Compensator {
 
   CompensatedFrame run(const CompensationInput& input) const;
   // The words of key_weight, motion, key_request_0, key_request_1, key_block_0, key_block_1, compensated as well.
-  CompensatedFrame capture(const CompensationInput& input, std::vector<CompensationWords>& streams) const;
+  CompensatedFrame capture(const CompensationInput& input, std::vector<StreamWords>& streams) const;
   // Of those streams, in that order.
   std::vector<Layout> layouts() const;
 

@@ -67,6 +67,12 @@ const std::vector<ConfigField>& motion_fields() {
   return fields;
 }
 
+const std::vector<ConfigField>& object_fields() {
+  static const std::vector<ConfigField> fields = {
+      {"object_bits", &Config::object_bits, "of the number of an object in a pixel, for static objects buffers; 0: none"}};
+  return fields;
+}
+
 namespace {
 
 template <auto Member>
@@ -118,7 +124,7 @@ namespace {
 
 // Fields whose numbers are 0 where the part that they belong to is not there.
 std::vector<const std::vector<ConfigField>*> number_fields() {
-  return {&config_fields(), &lighting_fields(), &texture_fields(), &motion_fields()};
+  return {&config_fields(), &lighting_fields(), &texture_fields(), &motion_fields(), &object_fields()};
 }
 
 }  // namespace
@@ -203,6 +209,10 @@ std::string refusal_text(Refusal refusal) {
     case Refusal::kIdleMotion:
       return "filter is \"none\", and vector_range, vector_fraction, weight_bits, face_bits, relight and samples are 0, where shading is "
              "not \"motion\"";
+    case Refusal::kObjectBits: return "object_bits is 0 to 22";
+    case Refusal::kObjectsNeedDepth:
+      return "object_bits is 0 without a Z-buffer, with architecture \"gamma\" and with shading \"motion\": a merge compares the depths "
+             "of a Z-buffer";
   }
   return "unknown reason";
 }
@@ -343,6 +353,7 @@ std::string configuration_toml(const Configuration& configuration) {
     choice("filter");
     numbers(motion_fields());
   }
+  if (has_objects(c)) numbers(object_fields());
   return text;
 }
 
@@ -365,21 +376,23 @@ std::string configuration_header(const Configuration& configuration) {
   };
   numbers += value("Shading", choice_name("shading", c));
   // What stands in Config is not said again.
-  const bool past_architecture = has_lighting(c) || has_coordinates(c);
+  const bool past_architecture = has_lighting(c) || has_coordinates(c) || has_objects(c);
   if (c.architecture == Architecture::kGamma || past_architecture) numbers += value("Architecture", choice_name("architecture", c));
   if (past_architecture) {
     for (const ConfigField& field : lighting_fields()) numbers += fmt::format(", {}", c.*field.value);
   }
-  if (has_coordinates(c)) {
+  const bool past_lighting = has_coordinates(c) || has_objects(c);
+  if (past_lighting) {
     numbers += value("TextureFilter", choice_name("texture", c)) + value("TextureMapping", choice_name("mapping", c));
     for (const ConfigField& field : texture_fields()) numbers += fmt::format(", {}", c.*field.value);
   }
-  if (has_motion(c)) {
+  if (has_motion(c) || has_objects(c)) {
     numbers += value("KeyFilter", choice_name("filter", c));
     for (const ConfigField& field : motion_fields()) {
       if (std::string(field.name).rfind("coordinate", 0) != 0) numbers += fmt::format(", {}", c.*field.value);
     }
   }
+  if (has_objects(c)) numbers += fmt::format(", {}", c.object_bits);
   return fmt::format(
       "// SPDX-License-Identifier: Apache-2.0\n"
       "// Configuration `{0}` for the kernels, in the order of Config. Printed by `halfspace config {0} --header FILE` from its\n"

@@ -19,10 +19,11 @@ struct ConfigField {
   const char* what;
 };
 const std::vector<ConfigField>& config_fields();
-// Those of lighting, which a file without it leaves out; those of texture; and those of frames in between.
+// Those of lighting, which a file without it leaves out; those of texture; of frames in between; and of static objects buffers.
 const std::vector<ConfigField>& lighting_fields();
 const std::vector<ConfigField>& texture_fields();
 const std::vector<ConfigField>& motion_fields();
+const std::vector<ConfigField>& object_fields();
 
 // Fields with words for values.
 struct ChoiceField {

@@ -16,6 +16,7 @@
 #include "vectors/lighting.hpp"
 #include "vectors/motion.hpp"
 #include "vectors/motion_words.hpp"
+#include "vectors/object_words.hpp"
 #include "vectors/texture.hpp"
 
 namespace halfspace::vectors {
@@ -32,7 +33,8 @@ class Engine {
   // In flow order: triangle, setup, attributes, planes, triangle_depth if there is one, stamp, update, visible, scan, pixel. With
   // lighting light and material stand first, and before planes normals and, but for Phong shading, colours; with texture texture and
   // texel, then texture_coordinates and texture_planes, and lit before pixel; with either visible_attributes after attributes. A motion
-  // configuration has visible_attributes, motion_vectors and motion_planes, and motion in the place of pixel.
+  // configuration has visible_attributes, motion_vectors and motion_planes, and motion in the place of pixel; one with objects has entry
+  // there.
   virtual std::vector<Layout> layouts() const = 0;
 
   // Of a configuration with lighting, before a frame is drawn: its lights, its materials, and the normals of its triangles.
@@ -43,6 +45,9 @@ class Engine {
 
   // Of a motion configuration, before a frame is drawn: where its triangles are in the key frames.
   virtual void move(const MotionFrame& frame) = 0;
+  // Of a configuration with objects, before a frame is drawn: the number of the object of each triangle, 1 … 2^object_bits − 1;
+  // none: all are of object 1.
+  virtual void number(const std::vector<std::uint32_t>& objects) = 0;
   // Not 0: from now on indices of invisible triangles are used again, by the rule of ref::IndexReuse with this window, and a frame
   // may have more triangles than there are indices. render() throws ref::Error when they are used up.
   virtual void reuse_indices(int window) = 0;
@@ -53,6 +58,8 @@ class Engine {
   virtual void render_colour(const ref::SnappedList& scene, std::vector<std::array<std::uint8_t, 4>>& colour) = 0;
   // Of a motion configuration the motion field: the words of `motion`, one a pixel that shows a face.
   virtual std::vector<RawMotion> motion(const ref::SnappedList& scene) = 0;
+  // Of a configuration with objects the frame as `entry` has it, row by row.
+  virtual std::vector<RawEntry> entries(const ref::SnappedList& scene) = 0;
   // How many stamps the rasterizer visits for each triangle, covered or not: its cycles.
   virtual std::vector<int> visits(const ref::SnappedList& scene) = 0;
   // What the stamps of each triangle cost ztest_plane; of type δ, nothing.

@@ -37,7 +37,7 @@ class KernelEngine : public Engine {
     if (F::kTestsPlanes) layouts.push_back(layout<TriangleDepth<F>>());
     for (const Layout& next : {layout<Stamp<F>>(), layout<Update<F>>(), layout<Visible<F>>(), layout<Scan<F>>()}) layouts.push_back(next);
     if (F::kHasTexture) layouts.push_back(layout<LitPixel<F>>());
-    layouts.push_back(F::kHasMotion ? layout<Motion<F>>() : layout<Pixel<F>>());
+    layouts.push_back(F::kHasMotion ? layout<Motion<F>>() : F::kHasObjects ? layout<Entry<F>>() : layout<Pixel<F>>());
     return layouts;
   }
 
@@ -54,6 +54,8 @@ class KernelEngine : public Engine {
   }
 
   void move(const MotionFrame& frame) override { motion_vectors_ = frame.triangles; }
+
+  void number(const std::vector<std::uint32_t>& objects) override { objects_ = objects; }
 
   void reuse_indices(int window) override { window_ = std::uint32_t(window); }
 
@@ -85,6 +87,24 @@ class KernelEngine : public Engine {
       if (raw(word.face) != 0) field.push_back(plain_motion<F>(word));
     }
     return field;
+  }
+
+  std::vector<RawEntry> entries(const ref::SnappedList& scene) override {
+    std::vector<Entry<F>> words;
+    streams_->entry.tap(&words);
+    std::vector<std::array<std::uint8_t, 4>> colour;
+    render_colour(scene, colour);
+    streams_->entry.tap(nullptr);
+    std::vector<RawEntry> out(std::size_t(scene.width) * scene.height);
+    for (const Entry<F>& word : words) {
+      for (int l = 0; l < F::kLanes; ++l) {
+        const int x = int(raw(word.x)) * F::kLanesX + l % F::kLanesX, y = int(raw(word.y)) * F::kLanesY + l / F::kLanesX;
+        if (x >= scene.width || y >= scene.height) continue;
+        out[std::size_t(y) * scene.width + x] = {std::uint32_t(raw(word.depth[l])), std::uint32_t(raw(word.object[l])),
+                                                 {std::uint8_t(raw(word.r[l])), std::uint8_t(raw(word.g[l])), std::uint8_t(raw(word.b[l]))}};
+      }
+    }
+    return out;
   }
 
   std::vector<int> visits(const ref::SnappedList& scene) override {
@@ -120,6 +140,8 @@ class KernelEngine : public Engine {
     std::vector<MotionVectors<F>> motion_vectors;
     std::vector<MotionPlanes<F>> motion_planes;
     std::vector<Motion<F>> motion;
+    std::vector<Entry<F>> entry;
+    s.entry.tap(&entry);
     s.motion_vectors.tap(&motion_vectors), s.motion_planes.tap(&motion_planes), s.motion.tap(&motion);
     s.triangle.tap(&triangle), s.setup.tap(&setup), s.attributes.tap(&attributes), s.planes.tap(&planes);
     s.visible_attributes.tap(&visible_attributes), s.normals.tap(&normals), s.colours.tap(&colours);
@@ -127,6 +149,7 @@ class KernelEngine : public Engine {
     s.triangle_depth.tap(&triangle_depth), s.lit.tap(&lit);
     s.stamp.tap(&stamp), s.update.tap(&update), s.visible.tap(&visible), s.scan.tap(&scan), s.pixel.tap(&pixel);
     render(scene);
+    s.entry.tap(nullptr);
     s.motion_vectors.tap(nullptr), s.motion_planes.tap(nullptr), s.motion.tap(nullptr);
     s.triangle.tap(nullptr), s.setup.tap(nullptr), s.attributes.tap(nullptr), s.planes.tap(nullptr);
     s.visible_attributes.tap(nullptr), s.normals.tap(nullptr), s.colours.tap(nullptr);
@@ -147,6 +170,7 @@ class KernelEngine : public Engine {
     tell(stamp, sink), tell(update, sink), tell(visible, sink), tell(scan, sink);
     if (F::kHasTexture) tell(lit, sink, layout<LitPixel<F>>());
     if (F::kHasMotion) tell(motion, sink);
+    else if (F::kHasObjects) tell(entry, sink);
     else tell(pixel, sink);
   }
 
@@ -205,6 +229,7 @@ class KernelEngine : public Engine {
     if (F::kHasMotion && motion_vectors_.size() != scene.triangles.size()) {
       throw ref::Error("the configuration is of frames in between, and the triangles came without motion: take one that shades them");
     }
+    if (F::kHasObjects) check_objects(scene);
     if (visible) visible->resize(scene.triangles.size());
     const Frame<F> registers = frame_registers(scene);
     const std::size_t count = scene.triangles.size();
@@ -215,6 +240,7 @@ class KernelEngine : public Engine {
       if (k < count) {
         const ref::SnappedTriangle& in = scene.triangles[k];
         t.index = from_raw<typename F::Index>(pool.take());
+        if (F::kHasObjects) t.object = from_raw<typename F::Object>(objects_.empty() ? 1 : objects_[k]);
         for (int v = 0; v < 3; ++v) {
           t.x[v] = from_raw<typename F::Coord>(in.x[v]);
           t.y[v] = from_raw<typename F::Coord>(in.y[v]);
@@ -239,6 +265,16 @@ class KernelEngine : public Engine {
       pipeline_planes(*streams_, *buffers_);
       pool.done(std::uint32_t(raw(done.index)), raw(done.visible) != 0);
       if (visible && k < count) (*visible)[k] = raw(done.visible) != 0;
+    }
+  }
+
+  void check_objects(const ref::SnappedList& scene) const {
+    const std::uint32_t most = (1u << F::Object::width()) - 1;
+    if (!objects_.empty() && objects_.size() != scene.triangles.size()) {
+      throw ref::Error("a frame has another number of triangles than numbers of objects: this is a fault of the program");
+    }
+    for (const std::uint32_t object : objects_) {
+      if (object == 0 || object > most) throw ref::Error("an object's number does not fit its bits: raise object_bits of the configuration");
     }
   }
 
@@ -290,7 +326,7 @@ class KernelEngine : public Engine {
       }
       while (!streams_->scan.empty()) {
         pipeline_shade(registers, *streams_, *buffers_);
-        const Pixel<F> in = streams_->pixel.read();
+        const Pixel<F> in = F::kHasObjects ? Pixel<F>(streams_->entry.read()) : streams_->pixel.read();
         std::uint32_t rgba[F::kLanes];  // little endian: r first in memory
         for (int l = 0; l < F::kLanes; ++l) {
           rgba[l] = displayed(in.r[l]) | displayed(in.g[l]) << 8 | displayed(in.b[l]) << 16 | 255u << 24;
@@ -317,11 +353,12 @@ class KernelEngine : public Engine {
   std::vector<Texel<F>> texels_;
   std::vector<RawCoordinates> coordinates_;
   std::vector<RawMotionVectors> motion_vectors_;
+  std::vector<std::uint32_t> objects_;
 };
 
-// make(stamp) for the stamp of this many lanes; null if there is none.
-template <class Make>
-std::unique_ptr<Engine> with_stamp(int lanes, Make make) {
+// make(stamp) for the stamp of this many lanes; nothing if there is none.
+template <class Result, class Make>
+Result with_stamp(int lanes, Make make) {
   switch (lanes) {
     case 1: return make(Stamp1());
     case 2: return make(Stamp2());
@@ -329,13 +366,13 @@ std::unique_ptr<Engine> with_stamp(int lanes, Make make) {
     case 8: return make(Stamp8());
     case 16: return make(Stamp16());
   }
-  return nullptr;
+  return {};
 }
 
 // Engine of configuration C with the given number of lanes; null if there is no such stamp.
 template <class C>
 std::unique_ptr<Engine> make_kernel_engine(int lanes) {
-  return with_stamp(lanes, [](auto stamp) -> std::unique_ptr<Engine> {
+  return with_stamp<std::unique_ptr<Engine>>(lanes, [](auto stamp) -> std::unique_ptr<Engine> {
     return std::make_unique<KernelEngine<Formats<C, decltype(stamp)>>>();
   });
 }

@@ -32,6 +32,7 @@ class RuntimeEngine : public Engine {
     activate();
     kernels_->move(frame);
   }
+  void number(const std::vector<std::uint32_t>& objects) override { kernels_->number(objects); }
   void reuse_indices(int window) override { kernels_->reuse_indices(window); }
   ref::Frame render(const ref::SnappedList& scene) override {
     activate();
@@ -44,6 +45,10 @@ class RuntimeEngine : public Engine {
   std::vector<RawMotion> motion(const ref::SnappedList& scene) override {
     activate();
     return kernels_->motion(scene);
+  }
+  std::vector<RawEntry> entries(const ref::SnappedList& scene) override {
+    activate();
+    return kernels_->entries(scene);
   }
   std::vector<int> visits(const ref::SnappedList& scene) override {
     activate();
@@ -69,7 +74,7 @@ class RuntimeEngine : public Engine {
 }  // namespace
 
 std::unique_ptr<Engine> make_runtime_engine(const Config& config, const FormatTable& table, int lanes) {
-  return with_stamp(lanes, [&](auto stamp) -> std::unique_ptr<Engine> {
+  return with_stamp<std::unique_ptr<Engine>>(lanes, [&](auto stamp) -> std::unique_ptr<Engine> {
     return std::make_unique<RuntimeEngine<decltype(stamp)>>(config, table);
   });
 }

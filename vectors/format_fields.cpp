@@ -106,6 +106,14 @@ const std::vector<FormatField>& motion_format_fields() {
   return fields;
 }
 
+const std::vector<FormatField>& object_format_fields() {
+  using T = FormatTable;
+  static const std::vector<FormatField> fields = {
+      {"object", &T::object, "0: background, 1 … 2^object_bits − 1", has_objects},
+      {"object_count", &T::object_count, "pixels of a frame", has_objects}};
+  return fields;
+}
+
 std::string format_name(const NumberFormat& format) {
   return fmt::format("{}{}.{}", format.is_signed ? 's' : 'u', format.integer, format.width - format.integer);
 }

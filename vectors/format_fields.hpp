@@ -22,6 +22,7 @@ const std::vector<FormatField>& lighting_format_fields();
 // Those of texture.
 const std::vector<FormatField>& texture_format_fields();
 const std::vector<FormatField>& motion_format_fields();
+const std::vector<FormatField>& object_format_fields();
 
 // "u13.0", "s11.8": sign, bits before and after the point.
 std::string format_name(const NumberFormat& format);

@@ -104,6 +104,19 @@ Word pack(Record record, int bits) {
   return word;
 }
 
+struct StreamWords {
+  Layout layout;
+  std::vector<Word> words;
+};
+
+template <class Record>
+StreamWords stream_words(const std::vector<Record>& records, const Layout& layout) {
+  StreamWords out{layout, {}};
+  out.words.reserve(records.size());
+  for (const Record& record : records) out.words.push_back(pack(record, layout.bits));
+  return out;
+}
+
 // Lower-case hexadecimal digits, as many as `bits` need, most significant first.
 inline void append_hex(std::string& text, const Word& word, int bits) {
   for (int digit = (bits + 3) / 4 - 1; digit >= 0; --digit) {

@@ -11,6 +11,7 @@
 #include "hls/records.hpp"
 #include "vectors/compensation.hpp"
 #include "vectors/engine.hpp"
+#include "vectors/merge.hpp"
 
 namespace halfspace::vectors {
 namespace {
@@ -19,6 +20,9 @@ std::string range(int width, bool is_signed) {
   const std::string sign = is_signed ? "signed " : "";
   return width == 1 ? "logic " + sign : fmt::format("logic {}[{}:0] ", sign, width - 1);
 }
+
+// Nothing printed depends on it.
+constexpr int kAnyLanes = 2;
 
 // The fields of a record that come once: the whole of it, or the head of a record with lanes.
 std::string record(const Layout& layout) {
@@ -206,10 +210,25 @@ std::string motion_text(const Config& c, const std::vector<Layout>& layouts) {
          key_tables_text(c);
 }
 
-// Those of motion_compensate besides, which is no part of an engine.
-std::vector<Layout> motion_layouts(const Configuration& configuration, std::vector<Layout> layouts) {
-  if (!has_motion(configuration.config())) return layouts;
-  for (const Layout& layout : Compensator(configuration).layouts()) layouts.push_back(layout);
+// Those of static objects buffers.
+std::string object_text(const Config& c, const std::vector<Layout>& layouts) {
+  const FormatTable t = format_table(c);
+  const auto number = [&](int value) { return has_objects(c) ? value : 0; };
+  return constants_text({{"HasObjects", has_objects(c)},
+                         {"ObjectBits", number(t.object.width)},
+                         {"ObjectCountBits", number(t.object_count.width)},
+                         {"MergeWordBits", word_bits(layouts, "merge")},
+                         {"FoundWordBits", word_bits(layouts, "found")}});
+}
+
+// Those of motion_compensate and ztest_merge besides, which are no part of an engine.
+std::vector<Layout> all_layouts(const Configuration& configuration, std::vector<Layout> layouts) {
+  if (has_motion(configuration.config())) {
+    for (const Layout& layout : Compensator(configuration).layouts()) layouts.push_back(layout);
+  }
+  if (has_objects(configuration.config())) {
+    for (const Layout& layout : Merger(configuration, kAnyLanes).layouts()) layouts.push_back(layout);
+  }
   return layouts;
 }
 
@@ -224,8 +243,7 @@ std::string formats_package(const Configuration& configuration) {
   // Of a triangle as it comes: its colours; and of its attributes, where values of its vertices come later, their order.
   const int triangle_colours = !has_colours(c) ? 0 : (gouraud ? 9 : 3) * t.colour.width;
   const int order = orders_vertices(c) ? VertexNumber::width() + Bit::width() : 0;
-  // Any number of lanes would do: nothing printed depends on it.
-  const std::vector<Layout> layouts = make_engine(configuration, 2)->layouts();
+  const std::vector<Layout> layouts = make_engine(configuration, kAnyLanes)->layouts(), all = all_layouts(configuration, layouts);
   const std::vector<std::pair<const char*, int>> constants = {
       {"HasDepth", depth},
       {"StoresDepth", stores_depth(c)},
@@ -277,7 +295,8 @@ std::string formats_package(const Configuration& configuration) {
                         {"depth_gradient", t.depth_gradient, depth},
                         {"colour", t.colour, true},
                         {"colour_plane", t.colour_plane, gouraud},
-                        {"colour_gradient", t.colour_gradient, gouraud}};
+                        {"colour_gradient", t.colour_gradient, gouraud},
+                        {"object", t.object, has_objects(c)}};
 
   std::string text = fmt::format(
       "// SPDX-License-Identifier: Apache-2.0\n"
@@ -285,13 +304,16 @@ std::string formats_package(const Configuration& configuration) {
       "// and hls/records.hpp: change those, not this file.\n"
       "package hs_formats_pkg;\n\n",
       configuration.name());
-  text += constants_text(constants) + lighting_text(c, layouts) + texture_text(c, layouts) + motion_text(c, motion_layouts(configuration, layouts)) + "\n";
+  text += constants_text(constants) + lighting_text(c, layouts) + texture_text(c, layouts) + motion_text(c, all) + object_text(c, all) + "\n";
   for (const Type& type : types) {
     if (type.is_there) text += fmt::format("  typedef {}{}_t;\n", range(type.format.width, type.format.is_signed), type.name);
   }
   text += "\n";
   for (const Layout& layout : layouts) {
     if (layout.stream != "visible_attributes") text += record(layout);  // the record of attributes
+  }
+  for (const Layout& layout : all) {
+    if (layout.stream == "merge" || layout.stream == "found") text += record(layout);
   }
   return text + "endpackage\n";
 }

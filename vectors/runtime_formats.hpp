@@ -132,7 +132,7 @@ struct RuntimeFormats {
   using CompilesMotion = std::true_type;
   static inline thread_local bool kHasDepth, kGouraud, kPhong, kShadesPlanes, kHasPlanes, kStoresDepth, kTestsPlanes;
   static inline thread_local bool kHasLighting, kHasGloss, kDeferred, kHasTexture, kBilinear, kPerspective, kSendsShape, kOrdersVertices;
-  static inline thread_local bool kHasMotion, kRelights, kHasColours;
+  static inline thread_local bool kHasMotion, kRelights, kHasColours, kHasObjects;
 
   static void activate(const Config& c, const FormatTable& table) {
     runtime_table = table;
@@ -155,6 +155,7 @@ struct RuntimeFormats {
     kHasMotion = has_motion(c), kRelights = relights(c), kHasColours = has_colours(c), kFilter = c.filter;
     kVectorRange = c.vector_range, kVectorFraction = c.vector_fraction, kWeightBits = c.weight_bits;
     kLog2Samples = exact_log2(c.samples);
+    kHasObjects = has_objects(c);
   }
 
   using X = RuntimeFixed<&FormatTable::x, false>;
@@ -205,6 +206,8 @@ struct RuntimeFormats {
   using CoordinatePlane = RuntimeFixed<&FormatTable::coordinate_plane, false>;
   using CoordinateGradient = RuntimeFixed<&FormatTable::coordinate_gradient, true>;
   using Inverse = RuntimeFixed<&FormatTable::inverse, false>;
+  using Object = RuntimeFixed<&FormatTable::object, false>;
+  using ObjectCount = RuntimeFixed<&FormatTable::object_count, false>;
   using InverseShift = RuntimeFixed<&FormatTable::inverse_shift, false>;
   using TexelPlace = RuntimeFixed<&FormatTable::texel_place, false>;
   using Filtered = RuntimeFixed<&FormatTable::filtered, false>;
@@ -285,6 +288,11 @@ class RuntimeEntries {
 
  private:
   std::vector<T> entries_;
+};
+template <class S>
+struct ObjectTable<RuntimeFormats<S>> {
+  using F = RuntimeFormats<S>;
+  RuntimeEntries<typename F::Object> object{F::kHasObjects ? F::kTriangles : 1};
 };
 template <class S>
 struct ShadingDatabase<RuntimeFormats<S>> {

@@ -40,6 +40,9 @@ const std::map<std::string, Ends> kEnds = {
     {"texture_planes", {"texture_setup", "tdbs", ""}},    {"lit", {"shade_gouraud", "shade_texture", "scan"}},
     {"motion_vectors", {"geometry", "motion_setup", ""}}, {"motion_planes", {"motion_setup", "tdbs", ""}},
     {"motion", {"motion_field", "motion_compensate", ""}},
+    {"entry", {"scan_object", "ztest_merge", "scan"}},
+    {"merge", {"driver", "ztest_merge", ""}}, {"stored", {"s_buffer", "ztest_merge", ""}},
+    {"merged", {"ztest_merge", "frame", ""}}, {"found", {"ztest_merge", "driver", ""}},
 };
 
 // A .hex file and the digest of its text.
@@ -162,6 +165,34 @@ std::string write_streams(const std::string& folder, const VectorSetOptions& opt
   return text;
 }
 
+// The set of a unit that stands alone. describe(json, result) adds what else is told of a frame.
+template <class Unit, class Frame, class Describe>
+std::string write_unit_set(const std::string& folder, const VectorSetOptions& options, const Unit& unit, const std::vector<Frame>& frames,
+                           const std::function<void(std::size_t, std::size_t)>& progress, Describe describe) {
+  std::vector<std::vector<StreamWords>> captured;  // of each frame
+  const auto engine = make_engine(options.configuration, options.lanes);
+  Json described = Json::array();
+  for (const Frame& frame : frames) {
+    const auto done = unit.capture(frame.input(), captured.emplace_back());
+    Json json = {{"width", frame.width}, {"height", frame.height}, {"background", {0, 0, 0}}, {"triangles", 0}, {"note", frame.note}};
+    describe(json, done);
+    json["cycles"] = done.cycles;
+    described.push_back(json);
+  }
+  const auto capture = [&](std::size_t n, const WordSink& sink) {
+    for (const StreamWords& stream : captured[n]) sink(stream.layout, stream.words.data(), stream.words.size());
+  };
+  return write_streams(folder, options, engine->lanes_x(), engine->lanes_y(), unit.layouts(), described, capture, progress);
+}
+
+std::vector<std::uint32_t> objects_of(const NamedFrame& frame, const Config& config) {
+  if (!frame.objects.empty()) return frame.objects;
+  const std::uint32_t most = (1u << config.object_bits) - 1;
+  std::vector<std::uint32_t> objects;
+  for (std::size_t k = 0; k < frame.scene.triangles.size(); ++k) objects.push_back(1 + std::uint32_t(k / 4) % most);
+  return objects;
+}
+
 }  // namespace
 
 std::string write_vector_set(const std::string& folder, const VectorSetOptions& options,
@@ -183,6 +214,7 @@ std::string write_vector_set(const std::string& folder, const VectorSetOptions& 
     if (has_lighting(configuration.config())) engine->light(frames[n].lighting);
     if (has_texture(configuration.config())) engine->texture(frames[n].texture);
     if (has_motion(configuration.config())) engine->move(frames[n].motion);
+    if (has_objects(configuration.config())) engine->number(objects_of(frames[n], configuration.config()));
     engine->capture(frames[n].scene, sink);
   };
   return write_streams(folder, options, engine->lanes_x(), engine->lanes_y(), engine->layouts(), described, capture, progress);
@@ -191,24 +223,13 @@ std::string write_vector_set(const std::string& folder, const VectorSetOptions& 
 std::string write_compensation_set(const std::string& folder, const VectorSetOptions& options,
                                    const std::vector<NamedCompensation>& frames,
                                    const std::function<void(std::size_t, std::size_t)>& progress) {
-  const Compensator compensator(options.configuration);
-  std::vector<std::vector<CompensationWords>> captured;  // of each frame
-  const auto engine = make_engine(options.configuration, options.lanes);
-  Json described = Json::array();
-  for (const NamedCompensation& frame : frames) {
-    const CompensatedFrame done = compensator.capture(frame.input(), captured.emplace_back());
-    described.push_back({{"width", frame.width},
-                         {"height", frame.height},
-                         {"background", {0, 0, 0}},
-                         {"triangles", 0},
-                         {"note", frame.note},
-                         {"misses", done.misses},
-                         {"cycles", done.cycles}});
-  }
-  const auto capture = [&](std::size_t n, const WordSink& sink) {
-    for (const CompensationWords& stream : captured[n]) sink(stream.layout, stream.words.data(), stream.words.size());
-  };
-  return write_streams(folder, options, engine->lanes_x(), engine->lanes_y(), compensator.layouts(), described, capture, progress);
+  return write_unit_set(folder, options, Compensator(options.configuration), frames, progress,
+                        [](Json& json, const CompensatedFrame& done) { json["misses"] = done.misses; });
+}
+
+std::string write_merge_set(const std::string& folder, const VectorSetOptions& options, const std::vector<NamedMerge>& runs,
+                            const std::function<void(std::size_t, std::size_t)>& progress) {
+  return write_unit_set(folder, options, Merger(options.configuration, options.lanes), runs, progress, [](Json&, const MergeResult&) {});
 }
 
 }  // namespace halfspace::vectors

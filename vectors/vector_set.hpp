@@ -11,6 +11,7 @@
 #include "vectors/compensation_frames.hpp"
 #include "vectors/configuration.hpp"
 #include "vectors/lighting.hpp"
+#include "vectors/merge_frames.hpp"
 #include "vectors/motion.hpp"
 #include "vectors/texture.hpp"
 
@@ -22,6 +23,7 @@ struct NamedFrame {
   LightingFrame lighting = {};  // with lighting: the normals of its triangles, and what they are lit with
   TextureFrame texture = {};    // with texture: their coordinates, and the textures
   MotionFrame motion = {};      // of a motion configuration: where they are in the key frames
+  std::vector<std::uint32_t> objects = {};  // of one with objects: theirs; if there are none, four triangles make an object
 };
 
 struct VectorSetOptions {
@@ -38,10 +40,12 @@ std::string write_vector_set(const std::string& folder, const VectorSetOptions& 
                              const std::vector<NamedFrame>& frames,
                              const std::function<void(std::size_t, std::size_t)>& progress);
 
-// Those of motion_compensate alone, likewise.
+// Those of motion_compensate alone, likewise; and of ztest_merge, a run a frame.
 std::string write_compensation_set(const std::string& folder, const VectorSetOptions& options,
                                    const std::vector<NamedCompensation>& frames,
                                    const std::function<void(std::size_t, std::size_t)>& progress);
+std::string write_merge_set(const std::string& folder, const VectorSetOptions& options, const std::vector<NamedMerge>& runs,
+                            const std::function<void(std::size_t, std::size_t)>& progress);
 
 }  // namespace halfspace::vectors
 

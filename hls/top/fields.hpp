@@ -22,7 +22,7 @@ using TopFormats = Formats<HALFSPACE_TOP_CONFIG, HALFSPACE_TOP_STAMP>;
 
 constexpr int kShadeColours = TopFormats::kGouraud ? 9 : TopFormats::kPhong ? 0 : 3;
 constexpr int kVertexColours = TopFormats::kHasColours ? kShadeColours : 0, kVertexDepths = TopFormats::kHasDepth ? 3 : 0;
-constexpr int kTriangleFields = 8 + kVertexDepths + kVertexColours, kSetupFields = 17 + (TopFormats::kHasDepth ? 3 : 0);
+constexpr int kTriangleFields = 8 + (TopFormats::kHasObjects ? 1 : 0) + kVertexDepths + kVertexColours, kSetupFields = 17 + (TopFormats::kHasDepth ? 3 : 0);
 constexpr int kAttributesFields =
     3 + (TopFormats::kSendsShape ? 8 : 0) + (TopFormats::kOrdersVertices ? 2 : 0) + kVertexColours;
 constexpr int kPlanesFields = TopFormats::kGouraud ? 12 : 6;
@@ -38,6 +38,7 @@ constexpr int kKeyFields = (TopFormats::kPerspective ? 9 : 6) + (TopFormats::kRe
 constexpr int kMotionVectorsFields = 3 + kKeys * (4 + kKeyFields), kMotionPlanesFields = kMotionVectorsFields + 1;
 constexpr int kMotionFields = 4 + kKeys * (3 + (TopFormats::kRelights ? 3 : 0));
 constexpr int kCompensatedFields = 7;
+constexpr int kEntryFields = 3 + 5 * TopFormats::kLanes, kMergeFields = 7, kFoundFields = 5;
 
 class FieldReader {
  public:

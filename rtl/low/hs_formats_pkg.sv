@@ -117,6 +117,11 @@ package hs_formats_pkg;
   localparam int unsigned MotionWordBits = 1;
   localparam logic [0:0] KeyInnerTable = '0;
   localparam logic [0:0] KeyOuterTable = '0;
+  localparam int unsigned HasObjects = 0;
+  localparam int unsigned ObjectBits = 0;
+  localparam int unsigned ObjectCountBits = 0;
+  localparam int unsigned MergeWordBits = 1;
+  localparam int unsigned FoundWordBits = 1;
 
   typedef logic [8:0] x_t;
   typedef logic [7:0] y_t;

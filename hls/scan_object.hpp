@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// The D-buffer at scan-out: which object each pixel shows, and how deep. Indices are few and are given anew in every frame, objects
+// are many and keep their numbers; a table tells the object of an index.
+//
+// A cycle for each different triangle in a stamp, one if there is none: the shader beside it takes no fewer.
+#ifndef HALFSPACE_HLS_SCAN_OBJECT_HPP_
+#define HALFSPACE_HLS_SCAN_OBJECT_HPP_
+
+#include "buffers.hpp"
+#include "lanes.hpp"
+#include "object_records.hpp"
+
+namespace halfspace {
+
+// Stores what object a triangle is of, one a call.
+template <class F>
+void store_object(Stream<Triangle<F>>& triangle, ObjectTable<F>& table) {
+  const Triangle<F> in = triangle.read();
+  if (raw(in.index) != 0) table.object[int(raw(in.index)) - 1] = in.object;
+}
+
+// A stamp.
+template <class F>
+void scan_object(Stream<Scan<F>>& scan, DepthBuffer<F>& depth_buffer, const ObjectTable<F>& table,
+                 Stream<ObjectPixel<F>>& object_pixel) {
+  const Scan<F> in = scan.read();
+  typename F::Depth* const stored = depth_buffer.depth[int(raw(in.y)) * F::kStampsX + int(raw(in.x))];
+  const typename F::Depth farthest = from_raw<typename F::Depth>((std::int64_t(1) << F::kDepthBits) - 1);
+  ObjectPixel<F> out;
+  out.last = in.last;
+  out.x = in.x;
+  out.y = in.y;
+  Bit waits[F::kLanes];
+Depths:
+  for (int l = 0; l < F::kLanes; ++l) {
+    HS_UNROLL
+    waits[l] = from_raw<Bit>(raw(in.index[l]) != 0);
+    out.depth[l] = from_raw<typename F::Depth>(raw(waits[l]) ? raw(stored[l]) : raw(farthest));
+    out.object[l] = from_raw<typename F::Object>(0);
+  }
+Triangles:
+  for (int n = 0; n < F::kLanes; ++n) {
+    HS_PIPELINE(1)
+    Bit shows[F::kLanes];
+    const int index = next_group<F>(in.index, waits, shows);
+    if (index == 0) break;
+    const typename F::Object object = table.object[index - 1];
+  Lanes:
+    for (int l = 0; l < F::kLanes; ++l) {
+      HS_UNROLL
+      out.object[l] = from_raw<typename F::Object>(raw(shows[l]) ? raw(object) : raw(out.object[l]));
+    }
+  }
+  object_pixel.write(out);
+}
+
+// A stamp: its colours come from the shader.
+template <class F>
+void join_entry(Stream<Pixel<F>>& pixel, Stream<ObjectPixel<F>>& object_pixel, Stream<Entry<F>>& entry) {
+  const Pixel<F> colours = pixel.read();
+  const ObjectPixel<F> objects = object_pixel.read();
+  Entry<F> out;
+  out.last = objects.last;
+  out.x = objects.x;
+  out.y = objects.y;
+Lanes:
+  for (int l = 0; l < F::kLanes; ++l) {
+    HS_UNROLL
+    out.depth[l] = objects.depth[l];
+    out.object[l] = objects.object[l];
+    out.r[l] = colours.r[l];
+    out.g[l] = colours.g[l];
+    out.b[l] = colours.b[l];
+  }
+  entry.write(out);
+}
+
+}  // namespace halfspace
+
+#endif  // HALFSPACE_HLS_SCAN_OBJECT_HPP_

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// ztest_merge as a driver sees it, for any configuration with objects: buffers of the size of a frame, and runs over a box of them.
+#ifndef HALFSPACE_VECTORS_MERGE_HPP_
+#define HALFSPACE_VECTORS_MERGE_HPP_
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "hls/formats.hpp"
+#include "ref/object_buffer.hpp"
+#include "vectors/configuration.hpp"
+#include "vectors/layout.hpp"
+#include "vectors/object_words.hpp"
+
+namespace halfspace::vectors {
+
+// Buffers are row by row, width × height.
+struct MergeInput {
+  int width = 0, height = 0;
+  ref::Box box;                                  // in pixels: the stamps that it meets are those of the run; not empty
+  const std::vector<RawEntry>* stored = nullptr;
+  const std::vector<RawEntry>* drawn = nullptr;  // merged with it, unless null
+  bool sends = true;                             // else nothing is made of it, and objects are only looked for
+  std::uint32_t first = 1, last = 0;             // objects that are looked for, and erased
+  std::array<std::uint8_t, 3> background{};
+};
+
+struct MergeResult {
+  std::vector<RawEntry> merged;  // as stored outside the stamps of the run; empty if nothing is sent
+  std::uint64_t count = 0;       // pixels of the run's stamps that showed an object of the range
+  ref::Box box;                  // of the stamps that have one, in pixels of the frame
+  std::uint64_t cycles = 0;      // that hs_ztest_merge takes where nothing makes it wait
+};
+
+class Merger {
+ public:
+  // `lanes` is 1, 2, 4, 8 or 16. Throws ref::Error without objects.
+  Merger(const Configuration& configuration, int lanes);
+
+  // Throws ref::Error for what does not fit the configuration.
+  MergeResult run(const MergeInput& input) const;
+  // The words of merge, stored, entry, merged and found as well.
+  MergeResult capture(const MergeInput& input, std::vector<StreamWords>& streams) const;
+  // Of those streams, in that order.
+  std::vector<Layout> layouts() const;
+
+ private:
+  MergeResult run(const MergeInput& input, std::vector<StreamWords>* streams) const;
+
+  Configuration configuration_;
+  FormatTable table_;
+  int lanes_;
+};
+
+}  // namespace halfspace::vectors
+
+#endif  // HALFSPACE_VECTORS_MERGE_HPP_
