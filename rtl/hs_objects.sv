@@ -7,11 +7,11 @@
 //                                              pixel ──────┴► entry
 //
 // Stall: scan waits while the queue is full, an entry until both its words are there. The shader
-// takes the same words of scan beside this, each when it has room. It needs no later one to send the
-// pixels of those that it has, so that the queue, were it full, runs empty.
+// takes the same words of scan beside this, each when it has room. It needs no later one to send
+// the pixels of those that it has, so that the queue, were it full, runs empty.
 // The queue does not slow the shader: at a stamp a cycle two more stamps are on their way from the
 // fork of scan to `entry` than the shader has cycles, its own queue included, which makes 12 with
-// planes of colours, 7 if flat, 32 with Phong shading and one light, and 35 with texture behind that.
+// planes of colours, 7 if flat, 32 with Phong shading and one light, and 35 with texture behind it.
 // Five of them have room outside the queue: at the fork and in scan_object.
 // Interval of an entry: the shader's; scan_object takes no longer for a stamp. Latency: the
 // shader's, which is no less than the 5 cycles from scan to object_pixel.

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The Z-test of two buffers against each other, stamp by stamp (kernel: hls/ztest_merge.hpp): what
-// is stored, less the objects of a range, and what is drawn, whichever is nearer; at equal depth the
-// smaller number of an object. It finds the pixels of the range and the box of their stamps.
+// is stored, less the objects of a range, and what is drawn, whichever is nearer; at equal depth
+// the smaller number of an object. It finds the pixels of the range and the box of their stamps.
 //
 // A run is a word of `merge`, then words of `stored` up to the one with last. If it merges, each
-// waits for a word of `entry`; if it sends, each is followed by one of `merged`. At its end there is
-// one word of `found`.
+// waits for a word of `entry`; if it sends, each is followed by one of `merged`. At its end there
+// is one word of `found`.
 // Interval: a stamp a cycle, and one more a run, for its command. Latency: 2 cycles from a word of
 // `stored` to that of `merged`, 3 from the last one to `found`: a run alone takes its stamps and
 // 4 cycles. Stages: test | select, count | sum, box. No multiplier, no memory.
@@ -73,7 +73,7 @@ module hs_ztest_merge #(
   // --- The run ---
   logic running_q, merges_q, sends_q, take, unused_entry_last;
   logic [ObjectBits-1:0] first_q, last_q;
-  logic [ColourBits-1:0] r_q, g_q, b_q;
+  logic [3*ColourBits-1:0] background_q;
 
   assign merge_ready_o = go && !running_q;
   assign stored_ready_o = go && running_q && (!merges_q || entry_valid_i);
@@ -87,10 +87,11 @@ module hs_ztest_merge #(
     else if (take && stored_i[EntryBits-1]) running_q <= 1'b0;
   end
 
-  // The stamp before moves on with a command that is taken: none is in the test with another's.
+  // A command is taken as the last stamp of the run before moves into select, or later: each stamp
+  // meets that of its own run in both stages.
   always_ff @(posedge clk_i) begin
     if (merge_valid_i && merge_ready_o) begin
-      {merges_q, sends_q, first_q, last_q, r_q, g_q, b_q} <= merge_i;
+      {merges_q, sends_q, first_q, last_q, background_q} <= merge_i;
     end
     if (rst_ni) assert (!take || !merges_q || stored_i[HeadAt +: XBits+YBits]
                                               == entry_i[HeadAt +: XBits+YBits]);
@@ -98,58 +99,44 @@ module hs_ztest_merge #(
 
   // --- Stages test and select, by lanes ---
   logic test_valid_q, merged_valid_q;
-  logic [Lanes-1:0] hit_q;
+  logic [Lanes-1:0] hit;  // in select
   logic [HeadBits-1:0] test_head_q, merged_head_q;
-  logic [HeadAt-1:0] merged_q;
+  logic [HeadAt-1:0] merged;
 
   for (genvar lane = 0; lane < Lanes; lane++) begin : gen_lane
     localparam int unsigned Depth = DepthAt + lane * DepthBits;
     localparam int unsigned Object = ObjectAt + lane * ObjectBits;
-    localparam int unsigned Colour = lane * ColourBits;
-    logic [DepthBits-1:0] depth, entry_depth;
-    logic [ObjectBits-1:0] object, entry_object;
-    logic [3*ColourBits-1:0] colour, entry_colour, merged_colour_q;
-    logic hit, nearer, nearer_q;
-    logic [DepthBits-1:0] depth_q, entry_depth_q, merged_depth_q;
-    logic [ObjectBits-1:0] object_q, entry_object_q, merged_object_q;
-    logic [3*ColourBits-1:0] colour_q, entry_colour_q;
+    localparam int unsigned Red = RedAt + lane * ColourBits;
+    localparam int unsigned Green = GreenAt + lane * ColourBits;
+    localparam int unsigned Blue = BlueAt + lane * ColourBits;
+    logic [3*ColourBits-1:0] merged_colour;
 
-    assign depth = stored_i[Depth +: DepthBits];
-    assign object = stored_i[Object +: ObjectBits];
-    assign colour = {stored_i[RedAt+Colour +: ColourBits], stored_i[GreenAt+Colour +: ColourBits],
-                     stored_i[BlueAt+Colour +: ColourBits]};
-    assign entry_depth = entry_i[Depth +: DepthBits];
-    assign entry_object = entry_i[Object +: ObjectBits];
-    assign entry_colour = {entry_i[RedAt+Colour +: ColourBits],
-                           entry_i[GreenAt+Colour +: ColourBits],
-                           entry_i[BlueAt+Colour +: ColourBits]};
-
-    assign hit = object != '0 && first_q <= object && object <= last_q;
-    assign nearer = merges_q && (object == '0 || hit
-                                 || {entry_depth, entry_object} < {depth, object});
-
-    always_ff @(posedge clk_i) begin
-      if (go) begin
-        {hit_q[lane], nearer_q} <= {hit, nearer};
-        {depth_q, object_q, colour_q} <= {depth, object, colour};
-        {entry_depth_q, entry_object_q, entry_colour_q} <= {entry_depth, entry_object, entry_colour};
-
-        {merged_depth_q, merged_object_q, merged_colour_q} <= {depth_q, object_q, colour_q};
-        if (nearer_q) begin
-          {merged_depth_q, merged_object_q, merged_colour_q} <= {entry_depth_q, entry_object_q,
-                                                                 entry_colour_q};
-        end else if (hit_q[lane]) begin
-          merged_depth_q <= '1;
-          merged_object_q <= '0;
-          merged_colour_q <= {r_q, g_q, b_q};
-        end
-      end
-    end
-
-    assign merged_q[Depth +: DepthBits] = merged_depth_q;
-    assign merged_q[Object +: ObjectBits] = merged_object_q;
-    assign {merged_q[RedAt+Colour +: ColourBits], merged_q[GreenAt+Colour +: ColourBits],
-            merged_q[BlueAt+Colour +: ColourBits]} = merged_colour_q;
+    hs_merge_lane #(
+      .DepthBits (DepthBits),
+      .ObjectBits(ObjectBits),
+      .ColourBits(ColourBits)
+    ) u_lane (
+      .clk_i          (clk_i),
+      .en_i           (go),
+      .merges_i       (merges_q),
+      .first_i        (first_q),
+      .last_i         (last_q),
+      .background_i   (background_q),
+      .depth_i        (stored_i[Depth +: DepthBits]),
+      .object_i       (stored_i[Object +: ObjectBits]),
+      .colour_i       ({stored_i[Red +: ColourBits], stored_i[Green +: ColourBits],
+                        stored_i[Blue +: ColourBits]}),
+      .entry_depth_i  (entry_i[Depth +: DepthBits]),
+      .entry_object_i (entry_i[Object +: ObjectBits]),
+      .entry_colour_i ({entry_i[Red +: ColourBits], entry_i[Green +: ColourBits],
+                        entry_i[Blue +: ColourBits]}),
+      .hit_o          (hit[lane]),
+      .merged_depth_o (merged[Depth +: DepthBits]),
+      .merged_object_o(merged[Object +: ObjectBits]),
+      .merged_colour_o(merged_colour)
+    );
+    assign {merged[Red +: ColourBits], merged[Green +: ColourBits],
+            merged[Blue +: ColourBits]} = merged_colour;
   end
 
   // --- Stages select and sum: pixels of the range ---
@@ -158,7 +145,7 @@ module hs_ztest_merge #(
 
   always_comb begin
     count = '0;
-    for (int unsigned i = 0; i < Lanes; i++) count = count + CountBits'(hit_q[i]);
+    for (int unsigned i = 0; i < Lanes; i++) count = count + CountBits'(hit[i]);
   end
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -204,5 +191,5 @@ module hs_ztest_merge #(
   assign go = (!merged_valid_q || merged_ready_i) && !(due && blocked);
 
   assign merged_valid_o = merged_valid_q;
-  assign merged_o = {merged_head_q, merged_q};
+  assign merged_o = {merged_head_q, merged};
 endmodule

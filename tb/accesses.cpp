@@ -141,7 +141,7 @@ std::vector<Accesses> count_accesses(const Vectors& vectors, const std::map<std:
   add({"shading_database", content_bits(planes.stream, {"last", "empty", "index"}), entries, stored,
        moves || planes.stream.find("material") ? covered : entries, stored}, 2 * triangles);  // shade_phong and motion_field read it for each pixel
   if (numbered) {
-    const std::uint64_t came = all("triangle").set("index");
+    const std::uint64_t came = visible.set("index");  // 0: a frame without triangles
     add({"object_table", std::uint64_t(numbered->width), entries, came, entries, came}, 2 * triangles);
   }
   return result;

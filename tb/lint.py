@@ -19,7 +19,7 @@ LIT_TOPS = ["hs_light_units", "hs_pipeline"]
 PHONG_TOPS = ["hs_phong_units", "hs_pipeline"]
 TEXTURE_TOPS = ["hs_texture_units"]  # besides
 MOTION_TOPS = ["hs_motion_units", "hs_compensate_units", "hs_pipeline"]
-OBJECT_TOPS = ["hs_merge_units"]  # besides
+OBJECT_TOPS = ["hs_merge_units", "hs_pipeline"]
 BESIDE_PIPELINE = ["hs_motion_compensate", "hs_ztest_merge"]
 LIT_PACKAGE = re.compile(r"\bLights = [1-9]")
 PHONG_PACKAGE = re.compile(r"\bPhong = 1;")
@@ -78,7 +78,9 @@ def main():
         tops = PHONG_TOPS if PHONG_PACKAGE.search(text) else LIT_TOPS if LIT_PACKAGE.search(text) else TOPS
         if MOTION_PACKAGE.search(text):
             tops = MOTION_TOPS
-        tops = tops + (TEXTURE_TOPS if TEXTURE_PACKAGE.search(text) else []) + (OBJECT_TOPS if OBJECT_PACKAGE.search(text) else [])
+        if OBJECT_PACKAGE.search(text):
+            tops = OBJECT_TOPS
+        tops = tops + (TEXTURE_TOPS if TEXTURE_PACKAGE.search(text) else [])
         todo += [(top, package, lanes) for top in tops for lanes in STAMPS]
     for top, package, lanes in todo:
         if output := lint(args, root, package, top, lanes):
