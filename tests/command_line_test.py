@@ -89,6 +89,10 @@ class CommandLine(unittest.TestCase):
         for key in ("cache_misses", "key_bytes", "compensation_cycles"):
             self.assertLess(10 * with_buffer[key], without[key])
         self.assertGreaterEqual(with_buffer["compensated"]["psnr_y_db"], without["compensated"]["psnr_y_db"] - 0.01)
+        boxes = MODELS / "ASE" / "anim2.ASE"  # one stands
+        self.good("frames", boxes, "--static-buffer", "--size", "64x48", "--frames", "11", "-o", self.folder / "frame_%03d.png", "--json", numbers)
+        pixels = json.loads(numbers.read_text())["pixels"]
+        self.assertGreater(pixels["static"], pixels["blended"] + pixels["copied"] + pixels["rendered"])
         self.good("cost", "court", "--size", "80x60", "--first", "60", "--json", numbers)
         names = [row["name"] for row in json.loads(numbers.read_text())["rows"]]
         self.assertIn("made of key frames, S-buffer", names)

@@ -77,7 +77,8 @@ TEST(AnimatedScenes, TheCourtStands) {
     const Scene now = load_scene("court", seconds);
     EXPECT_EQ(now.instances[0].to_world, start.instances[0].to_world);
     int moved = 0;
-    for (std::size_t n = 0; n < start.instances.size(); ++n) moved += now.instances[n].to_world != start.instances[n].to_world;
+    for (std::size_t n = 0; n < start.instances.size(); ++n)
+      moved += now.instances[n].to_world != start.instances[n].to_world;
     EXPECT_EQ(moved, moving) << seconds;
   }
 }
