@@ -89,16 +89,32 @@ void expect_reference(const ref::Scene& scene, const vectors::Configuration& con
   }
 }
 
+// A triangle out of view: the middle of the scene stays where it is, wherever the others go.
+void hold_middle(ref::Scene& scene) {
+  ref::Mesh& mesh = scene.meshes.back();
+  const std::uint32_t first = std::uint32_t(mesh.positions.size());
+  mesh.positions.insert(mesh.positions.end(), {{-40, -40, -40}, {40, 40, 40}, {40, 40, 40}});
+  mesh.normals.resize(mesh.positions.size(), glm::dvec3(0, 0, 1));
+  mesh.triangles.push_back({first, first + 1, first + 2});
+}
+
+void texture(ref::Scene& scene) {
+  ref::Texture chequered;
+  chequered.width = chequered.height = 8;
+  for (int n = 0; n < 64; ++n) chequered.texels.push_back({std::uint8_t((n + n / 8) % 2 * 200 + 55), std::uint8_t(n * 4), 255});
+  scene.textures = {chequered};
+  for (ref::Material& material : scene.materials) material.texture = 0;
+  for (ref::Mesh& mesh : scene.meshes) {
+    for (const glm::dvec3& p : mesh.positions) mesh.texture_coordinates.emplace_back(p.x + 0.5, p.y + p.z + 0.5);
+  }
+}
+
 void run(const Case& c, std::uint64_t seed, Counts& counts) {
   const vectors::Configuration small = configuration(c, c.triangles), large = configuration(c, kEnough);
   const bool lit = has_lighting(small.config());
   ref::Scene scene = vectors::moving_scene(kObjects);
-  if (lit) {  // out of view, so that the middle of the scene stays where it is
-    scene.meshes.back().positions.insert(scene.meshes.back().positions.end(), {{-40, -40, -40}, {40, 40, 40}, {40, 40, 40}});
-    scene.meshes.back().normals.resize(scene.meshes.back().positions.size(), glm::dvec3(0, 0, 1));
-    const std::uint32_t last = std::uint32_t(scene.meshes.back().positions.size()) - 1;
-    scene.meshes.back().triangles.push_back({last - 2, last - 1, last});
-  }
+  if (lit) hold_middle(scene);
+  if (has_texture(small.config())) texture(scene);
   vectors::SceneMotion motion(seed, kObjects);
   motion.begin(scene);
   StaticFrames ours(scene, {small, c.lanes, kWidth, kHeight, c.buffers, c.query, c.window});

@@ -59,7 +59,7 @@ class Maker {
   }
   NamedMerge erase(const std::string& note, std::uint32_t first, std::uint32_t last) {
     NamedMerge out = run(note, 22, 17);
-    out.first = std::min(first, most_), out.last = std::min(last, most_);
+    out.first = first, out.last = last;
     return out;
   }
   NamedMerge query(const std::string& note, std::uint32_t first, std::uint32_t last) {
@@ -87,7 +87,7 @@ class Maker {
     choose_box(out);
     if (!one_in(4)) out.drawn = buffer(out, 1 + below(4));
     out.sends = !one_in(4);
-    if (!one_in(3)) out.first = std::min(std::uint32_t(below(5)), most_), out.last = some_object();
+    if (!one_in(3)) out.first = std::uint32_t(below(5)), out.last = some_object();
     return out;
   }
 
@@ -138,11 +138,11 @@ void add_ranges(Maker& make, std::vector<NamedMerge>& runs) {
     runs.push_back(run);
   }
   runs.push_back(make.merge("erase and merge", 21, 16));
-  runs.back().first = 1, runs.back().last = std::min(3u, make.most());
+  runs.back().first = 1, runs.back().last = 3;
   runs.push_back(make.changed("erase, and merge what is farther", [&](RawEntry& e) { e = {std::min(e.depth, make.full() - 1) + 1, make.most(), {}}; }));
   runs.back().first = 1, runs.back().last = make.most();
   runs.push_back(make.merge("merge, and send nothing", 21, 16));
-  runs.back().first = 2, runs.back().last = std::min(5u, make.most());
+  runs.back().first = 2, runs.back().last = 5;
   runs.back().sends = false;
 }
 
@@ -177,6 +177,7 @@ std::vector<NamedMerge> merge_frames(const Config& config, std::uint64_t seed) {
   add_sizes(config, make, runs);
   for (int n = 0; n < 24; ++n) runs.push_back(make.any("short", 5));
   for (int n = 0; n < 60; ++n) runs.push_back(make.any("random", 40));
+  for (NamedMerge& run : runs) run.first = std::min(run.first, make.most()), run.last = std::min(run.last, make.most());  // as there are
   return runs;
 }
 
