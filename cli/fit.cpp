@@ -78,6 +78,12 @@ std::vector<std::string> left_out(const Config& c, const vectors::Requirements& 
   return lines;
 }
 
+Json to_json(const vectors::FitObjects& o) {
+  if (o.why.empty()) return nullptr;
+  return {{"objects", o.objects}, {"moving", o.moving}, {"standing", o.standing}, {"cycles_all", o.cycles_all},
+          {"cycles_moving", o.cycles_moving}, {"why", o.why}};
+}
+
 Json to_json(const vectors::FitArchitecture& a) {
   if (a.why.empty()) return nullptr;
   return {{"z_buffer_bits", a.z_buffer_bits}, {"tdbv_bits", a.tdbv_bits}, {"cycles_delta", a.cycles_delta},
@@ -88,11 +94,12 @@ void print_numbers(const Fit& fit, const Configuration& high) {
   const Config c = fit.configuration.config(), h = high.config();
   fmt::print("\n{:<18} {:>9} {:>9}\n", "", fit.configuration.name(), high.name());
   for (const auto& field : vectors::config_fields()) fmt::print("{:<18} {:>9} {:>9}\n", field.name, c.*field.value, h.*field.value);
+  if (has_objects(c)) fmt::print("{:<18} {:>9} {:>9}\n", "object_bits", c.object_bits, h.object_bits);
   fmt::print("\none bit less:\n");
   for (const auto& less : fit.less) fmt::print("  {:<26} {}\n", less.change, less.result);
   const auto mine = vectors::memory_bits(c), theirs = vectors::memory_bits(h);
-  fmt::print("\nframe memories: {:.2f} Mbit (I-buffer {:.2f}, Z-buffer {:.2f}, TdbS {:.2f}, TdbV {:.2f}), {} has {:.2f} Mbit: {:.1f} % saved\n",
-             mine.total() / 1e6, mine.index / 1e6, mine.depth / 1e6, mine.shading / 1e6, mine.visibility / 1e6, high.name(), theirs.total() / 1e6,
+  fmt::print("\nframe memories: {:.2f} Mbit (I-buffer {:.2f}, Z-buffer {:.2f}, TdbS {:.2f}, TdbV {:.2f}, objects {:.2f}), {} has {:.2f} Mbit: {:.1f} % saved\n",
+             mine.total() / 1e6, mine.index / 1e6, mine.depth / 1e6, mine.shading / 1e6, mine.visibility / 1e6, mine.object / 1e6, high.name(), theirs.total() / 1e6,
              100 - 100.0 * mine.total() / theirs.total());
 }
 
@@ -165,6 +172,9 @@ void fit(const Options& options) {
   if (!found.architecture.why.empty()) {
     fmt::print("type {}: {}\n", vectors::choice_name("architecture", found.configuration.config()), found.architecture.why);
   }
+  if (!found.objects.why.empty()) {
+    fmt::print("static objects buffers: {}: {}\n", has_objects(found.configuration.config()) ? "yes" : "no", found.objects.why);
+  }
   print_numbers(found, high);
   const std::string work = options.work.empty() ? "fit_" + name : options.work;
   const Json area = compare_area(found, high, targets, work);
@@ -183,6 +193,7 @@ void fit(const Options& options) {
                             {"configuration", to_json(found.configuration.config())},
                             {"left_out", gone},
                             {"architecture", to_json(found.architecture)},
+                            {"static_objects", to_json(found.objects)},
                             {"one_bit_less", less},
                             {"memory_bits", to_json(vectors::memory_bits(found.configuration.config()))},
                             {"memory_bits_of_high", to_json(vectors::memory_bits(high.config()))},
@@ -206,6 +217,8 @@ void add_fit(CLI::App& app, int&) {
                       "largest error of a colour, LSB of 8 bits, where the face is right; 0: not asked")->capture_default_str();
   command->add_option("--cycles", options->goal.cycles, "cycles a frame at most: takes as many lanes as that needs; 0: not asked")
       ->capture_default_str();
+  command->add_flag("--static-objects", options->goal.static_objects,
+                    "let pixels know their objects, for static objects buffers, where some move, some stand still, and it saves cycles");
   command->add_option("--lanes", options->lanes, "pixels a cycle; default: the fewest");
   command->add_option("-o,--output", options->output, "configuration to write");
   command->add_option("--work", options->work, "folder for the bench and the vectors; default: fit_NAME");

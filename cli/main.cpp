@@ -85,7 +85,7 @@ Json to_json(const ref::BufferUses& needed, const vectors::BufferBits& bits, con
 
 Json to_json(const vectors::MemoryBits& m) {
   return {{"index_buffer", m.index}, {"depth_buffer", m.depth}, {"shading_database", m.shading},
-          {"visibility_database", m.visibility}, {"total", m.total()}};
+          {"visibility_database", m.visibility}, {"object_table", m.object}, {"total", m.total()}};
 }
 
 }  // namespace halfspace::cli

@@ -104,6 +104,7 @@ ref::Frame draw_by(const Options& options, const LoadedScene& loaded, Counts& co
   ref::Drawing drawing = ref::draw(list, *surface, architecture, true, {}, circuit_of(loaded.configuration, options.lanes));
   counts.rates = all_rates(drawing.rates);
   if (options.shading.empty() || options.shading == vectors::choice_name("shading", config)) {
+    if (has_objects(config)) vectors::add_object_uses(list.width * std::uint64_t(list.height), drawing.rates.triangles, drawing.buffers);
     counts.buffers = to_json(drawing.buffers, bits_of(architecture, config));
   }
   fmt::print("{}: {} fragments, {} passed the Z-test; {} lightings, {} texels\n", name_of(architecture), drawing.rates.fragments,

@@ -110,8 +110,9 @@ std::string plot(const Json& json, const std::string& folder) {
   const std::string picture = (fs::path(folder) / "static_objects.png").string();
   std::string script = fmt::format(
       "set terminal pngcairo size 1100,420 font 'sans,11' background rgb 'white'\nset output {}\n"
-      "set grid lt 1 lw 0.5 lc rgb '#cccccc'\nset key left top\nset xlabel 'objects that move'\n",
-      gnuplot_quoted(picture));
+      "set grid lt 1 lw 0.5 lc rgb '#cccccc'\nset key left top\nset xlabel 'objects that move'\n"
+      "set xrange [0:{}]\nset yrange [0:*]\n",
+      gnuplot_quoted(picture), json["steps"].back()["moving"].get<int>() * 1.05 + 1);
   for (std::size_t m = 1; m < vectors::kStaticMethods; ++m) {
     script += fmt::format("$m{} << EOD\n", m);
     for (const Json& row : json["steps"]) {

@@ -37,7 +37,7 @@ void add_frame_options(CLI::App* command, FrameInput& input) {
 }
 
 vectors::FitScene load_frames(const FrameInput& input) {
-  vectors::FitScene result{input.scene, 0, 0, {}, {}};
+  vectors::FitScene result{input.scene, 0, 0, {}, {}, {}};
   if (ref::is_tri_file(input.scene)) {
     const auto list = std::make_shared<ref::TriangleList>(ref::read_tri(input.scene));
     if (list->triangles.empty()) throw ref::Error(fmt::format("{}: no triangle: nothing to fit", input.scene));
@@ -55,6 +55,7 @@ vectors::FitScene load_frames(const FrameInput& input) {
     const double time = k / input.rate;
     const auto scene = k == 0 ? start : std::make_shared<ref::Scene>(ref::load_scene(input.scene, time));
     result.times.push_back(time);
+    result.scenes.push_back(scene);
     result.frames.push_back([scene](const ref::View& view) { return ref::project(*scene, view); });
   }
   return result;

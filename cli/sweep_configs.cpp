@@ -25,9 +25,16 @@ int whole_number(const std::string& text, const std::string& option) {
   return value;
 }
 
+// The numbers that can be varied: those that every configuration has, and the bits of objects.
+std::vector<vectors::ConfigField> varied_fields() {
+  std::vector<vectors::ConfigField> fields = vectors::config_fields();
+  for (const auto& field : vectors::object_fields()) fields.push_back(field);
+  return fields;
+}
+
 void set_value(Config& config, const std::string& key, const std::string& value) {
   if (key == kShading) config.shading = value == "flat" ? Shading::kFlat : Shading::kGouraud;
-  for (const auto& field : vectors::config_fields()) {
+  for (const auto& field : varied_fields()) {
     if (field.name == key) config.*field.value = std::stoi(value);
   }
 }
@@ -102,7 +109,7 @@ void add_named(std::vector<SweepConfig>& configs, const SweepConfig& base, const
 Variation parse_variation(const std::string& option) {
   const std::size_t equals = option.find('=');
   Variation variation{option.substr(0, equals), {}};
-  const auto& fields = vectors::config_fields();
+  const auto fields = varied_fields();
   const auto is_key = [&](const auto& field) { return field.name == variation.key; };
   if (variation.key != kShading && std::none_of(fields.begin(), fields.end(), is_key)) {
     std::string names = kShading;

@@ -55,6 +55,8 @@ Json picture_result(const vectors::Trade& t, const Config& config) {
           {"bytes_depth_written", bytes_of(moved.depth.written, bits.depth)},
           {"bytes_planes_read", bytes_of(moved.shading.read, bits.shading)},
           {"bytes_planes_written", bytes_of(moved.shading.written, bits.shading)},
+          {"bytes_objects_read", bytes_of(moved.object.read, bits.object)},
+          {"bytes_objects_written", bytes_of(moved.object.written, bits.object)},
           {"bytes", vectors::total_bytes(moved, bits)},
           {"kernels_compiled", t.compiled},
           {"native_ms", t.native_ms}};

@@ -92,7 +92,8 @@ constexpr struct {
                    {"wheel_turn", 2, wheel_turn},
                    {"ring_fall", 1.5, ring_fall},
                    {"drone", 2, drone},
-                   {"jet", 2, jet}};
+                   {"jet", 2, jet},
+                   {"court", 3, court}};
 
 }  // namespace
 

@@ -14,8 +14,11 @@ namespace halfspace::ref {
 // Held at its ends outside its duration, as animations of files are. If `textured`, with bricks on all of it.
 std::optional<Scene> animated_scene(const std::string& name, double time_seconds, bool textured = false);
 
-Scene drone(double seconds);  // four shrouded rotors around a ball
+// Four shrouded rotors around a ball, added to a scene: 17 instances, the rotors turned on by so many seconds.
+void add_drone(Scene&, const glm::dmat4& flight, double seconds);
+Scene drone(double seconds);
 Scene jet(double seconds);    // wings that sweep back, fins, nozzles, missiles
+Scene court(double seconds);  // a drone at a castle, which stands still
 
 }  // namespace halfspace::ref
 

@@ -44,6 +44,7 @@ struct BufferUses {
   BufferUse index;       // I-buffer
   BufferUse visibility;  // TdbV
   BufferUse shading;     // TdbS
+  BufferUse object;      // the objects of triangles, where pixels know theirs
 };
 
 // How a circuit looks at TdbV and TdbS. Without lanes, pixel by pixel: TdbV is read for each fragment over a triangle, TdbS for each

@@ -53,6 +53,7 @@ using LightPlanes = OfKeys<std::vector<glm::dvec3>>;
 
 struct Shares {  // pixels
   std::uint64_t background = 0, blended = 0, copied = 0, filled = 0;
+  std::uint64_t still = 0;  // of what stands still, with a static buffer
 };
 
 struct Compensated {

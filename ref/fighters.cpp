@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "ref/animated_scenes.hpp"
+#include "ref/builtin_scenes.hpp"
 #include "ref/mesh_builder.hpp"
 
 namespace halfspace::ref {
@@ -46,12 +47,10 @@ Camera watcher() {
 
 }  // namespace
 
-// In from the left, then up and toward the viewer until parts of it are out of the picture.
-Scene drone(double seconds) {
+void add_drone(Scene& scene, const glm::dmat4& flight, double seconds) {
   constexpr double kArm = 1.15, kRotor = 300;  // degrees a second, neighbours the other way around
-  Scene scene;
-  scene.materials = {paint(0.3, 12), paint(0.6, 24)};
-  scene.camera = watcher();
+  const int paints = int(scene.materials.size());
+  scene.materials.push_back(paint(0.3, 12)), scene.materials.push_back(paint(0.6, 24));
 
   MeshBuilder hull;
   hull.colour = {0.62, 0.66, 0.72};
@@ -66,24 +65,20 @@ Scene drone(double seconds) {
     hull.colour = {0.85, 0.45, 0.15};
     hull.lathe(0.45 * out - 0.75 * up, {{0.05, 0}, {0.03, 0.5}}, 12);
   }
-  const int hull_mesh = add(scene, std::move(hull), "hull", 1);
+  const int hull_mesh = add(scene, std::move(hull), "hull", paints + 1);
 
   MeshBuilder duct;
   duct.colour = {0.86, 0.72, 0.25};
   duct.torus(0.62, 0.07, 36, 10);
   duct.colour = {0.30, 0.32, 0.36};
   duct.lathe({0, -0.1, 0}, {{0.1, 0}, {0.1, 0.16}, {0.04, 0.24}}, 16);
-  const int duct_mesh = add(scene, std::move(duct), "duct", 0);
+  const int duct_mesh = add(scene, std::move(duct), "duct", paints);
 
   MeshBuilder blade;
   blade.colour = {0.78, 0.20, 0.18};
   blade.block({0.08, 0.0, -0.07}, {0.45, 0, 0}, {0, 0.015, 0}, {0, 0.04, 0.14});
-  const int blade_mesh = add(scene, std::move(blade), "blade", 0);
+  const int blade_mesh = add(scene, std::move(blade), "blade", paints);
 
-  const double in = eased(seconds, -0.6, 1.1), off = eased(seconds, 0.9, 2.3);
-  const glm::dvec3 place(-8 + 7.6 * in + 0.6 * off, -0.7 + 0.3 * in + 1.7 * off, -1 + 5.2 * off);
-  const glm::dmat4 flight = at(place) * turned(0.5 - 0.9 * in, {0, 1, 0}) *
-                            turned(0.35 * (1 - in) - 0.5 * off, {0, 0, 1}) * turned(0.25 + 0.3 * off, {1, 0, 0});
   scene.instances.push_back({hull_mesh, flight});
   for (int i = 0; i < 4; ++i) {
     const double a = kPi / 4 + i * kPi / 2, turn = glm::radians(kRotor) * seconds * (i % 2 ? -1 : 1);
@@ -92,6 +87,33 @@ Scene drone(double seconds) {
     for (int b = 0; b < 3; ++b)
       scene.instances.push_back({blade_mesh, hub * turned(turn + b * 2 * kPi / 3, {0, 1, 0})});
   }
+}
+
+// In from the left, then up and toward the viewer until parts of it are out of the picture.
+Scene drone(double seconds) {
+  Scene scene;
+  scene.camera = watcher();
+  const double in = eased(seconds, -0.6, 1.1), off = eased(seconds, 0.9, 2.3);
+  const glm::dvec3 place(-8 + 7.6 * in + 0.6 * off, -0.7 + 0.3 * in + 1.7 * off, -1 + 5.2 * off);
+  add_drone(scene,
+            at(place) * turned(0.5 - 0.9 * in, {0, 1, 0}) * turned(0.35 * (1 - in) - 0.5 * off, {0, 0, 1}) *
+                turned(0.25 + 0.3 * off, {1, 0, 0}),
+            seconds);
+  return scene;
+}
+
+// It stands on the roof of the keep, its rotors turning, then rises between the spires, and comes down before the gate.
+Scene court(double seconds) {
+  constexpr double kScale = 1.6;
+  const glm::dvec3 roof(0, 14.5 + 0.75 * kScale, 0), above(0.5, 23, 1), out(7, 17, 22), gate(1, 6, 34);
+  Scene scene = builtin_scene("castle").value();
+  scene.framing = {{-11, 0, 26}, {11, 0, 26}, {-6, 25, 0}, {6, 25, 0}};
+  const double t = eased(seconds, 0.5, 2.6), s = 1 - t;
+  const glm::dvec3 place = s * s * s * roof + 3 * s * s * t * above + 3 * s * t * t * out + t * t * t * gate;
+  add_drone(scene,
+            at(place) * turned(0.4 - 1.2 * t, {0, 1, 0}) * turned(0.8 * t * s, {0, 0, 1}) *
+                glm::scale(kHere, glm::dvec3(kScale)),
+            seconds);
   return scene;
 }
 

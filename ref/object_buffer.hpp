@@ -21,6 +21,7 @@ struct Box {
   int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 
   bool empty() const { return x0 >= x1 || y0 >= y1; }
+  std::uint64_t pixels() const { return empty() ? 0 : std::uint64_t(x1 - x0) * std::uint64_t(y1 - y0); }
   bool holds(int x, int y) const { return x >= x0 && x < x1 && y >= y0 && y < y1; }
   bool meets(const Box& o) const {
     return std::max(x0, o.x0) < std::min(x1, o.x1) && std::max(y0, o.y0) < std::min(y1, o.y1);

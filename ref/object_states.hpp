@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Static objects buffers: which objects move and which stand still, and what the S-buffers show or have to be drawn again for.
-// The same whoever draws.
+// Static objects buffers: which objects move and which stand still, and what the S-buffers show or have to be drawn
+// again for. The same whoever draws.
 #ifndef HALFSPACE_REF_OBJECT_STATES_HPP_
 #define HALFSPACE_REF_OBJECT_STATES_HPP_
 
@@ -22,9 +22,9 @@ constexpr ObjectState object_state(bool dynamic_before, bool dynamic_now) {
 
 class ObjectStates {
  public:
-  // The scene as it stands in the frame before the first; it outlives this. In that frame all objects are dynamic. `aspect` is
-  // width / height. Instance n is in S-buffer n mod `buffers` while it stands still, and object n + 1. Error for less than one
-  // S-buffer, and for more objects than there are numbers of `object_bits`.
+  // The scene as it stands in the frame before the first; it outlives this. In that frame all objects are dynamic.
+  // `aspect` is width / height. Instance n is in S-buffer n mod `buffers` while it stands still, and object n + 1.
+  // Error for less than one S-buffer, and for more objects than there are numbers of `object_bits`.
   ObjectStates(const Scene&, double aspect, int buffers, int object_bits);
 
   // The scene as it stands now, from where it is looked at now. Error where objects have come or gone.

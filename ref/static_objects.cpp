@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ref/static_objects.hpp"
 
+#include <algorithm>
+
 namespace halfspace::ref {
 namespace {
 
@@ -32,7 +34,12 @@ const FrameWork& StaticObjects::draw(const DrawSink& sink) {
   for (std::uint32_t n = 0; n < states_.objects(); ++n) {
     if (states_.has_to_leave(n)) leave(n, holes[buffer_of(n)]);
   }
-  for (std::size_t k = 0; k < static_.size(); ++k) fill(int(k), holes[k], sink);
+  std::vector<bool> drawn_into(static_.size(), false);
+  for (std::size_t k = 0; k < static_.size(); ++k) {
+    const std::uint64_t before = work_.redrawn;
+    fill(int(k), holes[k], sink);
+    drawn_into[k] = work_.redrawn != before;
+  }
 
   dynamic_.clear(moving_box_.cut(dynamic_.frame()));
   moving_box_ = {};
@@ -44,8 +51,10 @@ const FrameWork& StaticObjects::draw(const DrawSink& sink) {
     work_.triangles += drawn.triangles;
     if (stops) states_.stay(n, drawn.box);
     ++(stops ? work_.added : work_.moving);
+    if (stops) drawn_into[std::size_t(buffer_of(n))] = true;
     (stops ? changed_ : moving_box_).add(drawn.box);
   }
+  work_.drawn_into = std::uint64_t(std::count(drawn_into.begin(), drawn_into.end(), true));
   if (!changed_.empty()) compose(changed_);
   merge();
   return work_;
@@ -71,11 +80,13 @@ void StaticObjects::leave(std::uint32_t n, std::vector<Box>& holes) {
   ObjectBuffer& buffer = static_[buffer_of(n)];
   if (options_.query) {
     ++work_.queries;
+    work_.searched += covered.pixels();
     if (options_.query(buffer, n + 1, covered) == 0) {
       ++work_.skipped;
       return;
     }
   }
+  work_.searched += covered.pixels();
   const Box erased = buffer.erase(n + 1, covered);
   const Box hole = options_.query ? erased : covered;
   if (!hole.empty()) holes.push_back(hole);
@@ -104,7 +115,7 @@ void StaticObjects::compose(const Box& box) {
       if (work_.new_view || !same(pixel, *nearest)) pixel = *nearest;
     }
   }
-  if (!box.empty()) work_.composed += std::uint64_t(box.x1 - box.x0) * (box.y1 - box.y0);
+  work_.composed += box.pixels();
 }
 
 // Pixels that the D-buffer does not reach keep the colour that they get here.

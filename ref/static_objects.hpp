@@ -37,6 +37,8 @@ struct FrameWork {
   std::uint64_t started = 0, queries = 0, skipped = 0;    // SD, seen from where the last frame was; asked; skipped
   std::uint64_t triangles = 0;                            // of the objects drawn, handed to the rasterizer
   std::uint64_t composed = 0;                             // pixels that were merged anew of all S-buffers
+  std::uint64_t searched = 0;  // pixels of S-buffers in which an object was asked for, or erased
+  std::uint64_t drawn_into = 0;  // S-buffers into which objects were drawn
   std::uint64_t drawn() const { return moving + added + redrawn; }
 };
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "ref/error.hpp"
+#include "ref/static_instances.hpp"
 
 namespace halfspace::ref {
 namespace {
@@ -47,6 +48,12 @@ Interval::Interval(const Scene& first, const Scene& second, const UpConversion& 
                                                 : drawn(mode.width * mode.samples, mode.height * mode.samples)) {
   if (mode.relight && mode.method == MotionMethod::kStraight)
     throw Error("relighting needs exact motion: straight lines have no light between the keys; leave one of them out");
+  const bool by_samples = mode.field == FieldSize::kSamples || (mode.samples == 1 && mode.field == FieldSize::kPixels);
+  if (mode.static_buffer && (mode.method == MotionMethod::kStraight || !by_samples)) {
+    throw Error(
+        "a static buffer needs exact motion and a vector a sample, as what moves is held against its depths: leave it "
+        "out with straight lines or half a field");
+  }
   for (int k = 0; k < kKeys; ++k) {
     const DrawnFrame frame = draw_frame(*frames_.keys[k], {frames_.format, mode.shading, mode.texture});
     keys_[k] = key_frame(frame, mode.samples, identities_);
@@ -73,6 +80,7 @@ FrameBetween Interval::at(const Scene& between, double a) {
 
   const Between motion = follow(mode_.method, scenes_[0], scenes_[1], between, a, field_.view);
   MotionField field = motion_field(motion, field_.format, mode_.mapping);
+  const std::uint64_t still = mode_.static_buffer ? leave_out_static(between, field) : 0;
   LightPlanes light;
   if (mode_.relight) {
     Geometry lit(between, field_.view);
@@ -90,7 +98,20 @@ FrameBetween Interval::at(const Scene& between, double a) {
       compensate(keys_, field, identities_, a, mode_.compensation, light, by_samples ? frame.colour : out.rendered);
   out.colour = by_samples ? averaged(made.colour, field.width, field.height, mode_.samples) : std::move(made.colour);
   out.shares = made.shares;
+  out.shares.background -= still, out.shares.still = still;
   return out;
+}
+
+std::uint64_t Interval::leave_out_static(const Scene& between, MotionField& field) const {
+  const double aspect = double(mode_.width) / mode_.height;
+  const std::vector<bool> still = static_instances(scenes_[0], scenes_[1], between, aspect);
+  const std::vector<std::uint32_t> instance = instances_of_faces(between);
+  std::uint64_t pixels = 0;
+  for (std::uint32_t& face : field.face) {
+    if (face == 0 || !still[instance[face]]) continue;
+    face = 0, ++pixels;
+  }
+  return pixels;
 }
 
 Colours temporal_average(const Colours& first, const Colours& second) {

@@ -29,6 +29,9 @@ struct UpConversion {
   FieldSize field = FieldSize::kSamples;
   bool surfaces = false;  // identity is the surface, not the face
   bool relight = false;   // of exact motion alone
+  // What stands still between the keys is as it is rendered, and has no part in the field. Of exact motion, and a vector
+  // a sample.
+  bool static_buffer = false;
 };
 
 struct FrameBetween {
@@ -48,6 +51,8 @@ class Interval {
   FrameBetween at(const Scene& between, double a);
 
  private:
+  // Takes what stands still out of the field; how many pixels show it.
+  std::uint64_t leave_out_static(const Scene& between, MotionField&) const;
   // At one resolution.
   struct Drawn {
     View view;

@@ -85,6 +85,11 @@ module hs_edge_setup #(
     .order_o   (order)
   );
 
+  if (hs_formats_pkg::HasObjects != 0) begin : gen_object
+    logic unused_object;
+    assign unused_object = ^ordered.object;
+  end
+
   // Variables of their own: Yosys 0.23 forgets the sign of a field of a struct.
   assign x0 = ordered.x0;
   assign y0 = ordered.y0;

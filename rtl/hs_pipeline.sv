@@ -14,13 +14,15 @@
 // `normals`, of `texture_coordinates`, or of each, in order. It may take its time; it must take `visible` meanwhile.
 // Of a frame between key frames the answer is a word of `motion_vectors`, and hs_motion, which gives
 // `motion` and no pixels, stands where hs_shading does.
+// With objects hs_objects joins each pixel with its depth and object to `entry`, which stands where
+// `pixel` does, and the Z-buffer has two banks.
 // Type gamma: ztest_plane, with a stream triangle_depth from raster_pineda, and TdbV stand where
 // ztest_index and the Z-buffer do. Else triangle_depth_o is one bit, 0, never valid.
 //
 // A frame is drawn while the one before is scanned out; see hs_frame_control. Cycles a frame in steady
 // state: the most of triangles × interval of triangle_setup, visited stamps, and groups of
 // shade_gouraud, and a few hundred.
-// Stall: each stream waits for its taker; a `visible`, `pixel` or `motion` not taken stops all that is before.
+// Stall: each stream waits for its taker; a `visible`, `pixel`, `motion` or `entry` not taken stops all that is before.
 // Frame registers, lights, materials and textures change only while busy_o is 0. Inner streams are there to watch, where the unit
 // offers them. `planes` never waits.
 module hs_pipeline #(
@@ -57,7 +59,10 @@ module hs_pipeline #(
   localparam int unsigned PlanesBits = hs_formats_pkg::PlanesWordBits,
   localparam int unsigned MotionVectorsBits = hs_formats_pkg::MotionVectorsWordBits,
   localparam int unsigned MotionPlanesBits = hs_formats_pkg::MotionPlanesWordBits,
-  localparam int unsigned MotionBits = hs_formats_pkg::MotionWordBits
+  localparam int unsigned MotionBits = hs_formats_pkg::MotionWordBits,
+  localparam int unsigned HasObjects = hs_formats_pkg::HasObjects,
+  localparam int unsigned EntryBits =
+      HasObjects != 0 ? PixelBits + Lanes * (DepthBits + hs_formats_pkg::ObjectBits) : 1
 ) (
   input  logic                        clk_i,
   input  logic                        rst_ni,
@@ -97,13 +102,16 @@ module hs_pipeline #(
   output logic                        motion_vectors_ready_o,
   input  logic [MotionVectorsBits-1:0] motion_vectors_i,
 
-  // To the frame, or to the motion buffer
+  // To the frame, to the motion buffer or to the static objects buffer: one of them is there
   output logic                        pixel_valid_o,
   input  logic                        pixel_ready_i,
   output logic [PixelBits-1:0]        pixel_o,
   output logic                        motion_valid_o,
   input  logic                        motion_ready_i,
   output logic [MotionBits-1:0]       motion_o,
+  output logic                        entry_valid_o,
+  input  logic                        entry_ready_i,
+  output logic [EntryBits-1:0]        entry_o,
 
   // To watch
   output logic                        setup_valid_o,
@@ -240,6 +248,9 @@ module hs_pipeline #(
   logic [Lanes*IndexBits-1:0] ztest_read_index;
   logic [Lanes-1:0] ztest_write_en;
   hs_formats_pkg::index_t ztest_write_index;
+  logic scan_read_en, scan_write_en;
+  logic [AddressBits-1:0] scan_address;
+  logic [DepthsBits-1:0] scan_depth;
 
   hs_fifo #(
     .Width(StampBits),
@@ -256,11 +267,11 @@ module hs_pipeline #(
   );
 
   if (TestsPlanes != 0) begin : gen_planes
-    localparam int unsigned EntryBits = $clog2(hs_formats_pkg::Triangles);
+    localparam int unsigned PlaneAddressBits = $clog2(hs_formats_pkg::Triangles);
     localparam int unsigned EntryPlaneBits = 3 * hs_formats_pkg::DepthPlaneBits;
     logic ztest_depth_valid, ztest_depth_ready, fetch_en, store_en;
     logic [TriangleDepthBits-1:0] ztest_depth;
-    logic [EntryBits-1:0] fetch_entry, store_entry;
+    logic [PlaneAddressBits-1:0] fetch_entry, store_entry;
     logic [EntryPlaneBits-1:0] fetch_plane, store_plane;
 
     hs_fifo #(
@@ -312,7 +323,7 @@ module hs_pipeline #(
 
     hs_ram_1r1w #(
       .Width(EntryPlaneBits),
-      .Depth(1 << EntryBits)
+      .Depth(1 << PlaneAddressBits)
     ) u_visibility_database (
       .clk_i          (clk_i),
       .read_en_i      (fetch_en),
@@ -322,6 +333,7 @@ module hs_pipeline #(
       .write_address_i(store_entry),
       .write_data_i   (store_plane)
     );
+    assign scan_depth = '0;
   end else begin : gen_depths
     logic [DepthsBits-1:0] ztest_read_depth, ztest_write_depth;
     logic unused_triangle_depth;
@@ -359,19 +371,24 @@ module hs_pipeline #(
       .Lanes(Lanes),
       .Depth(StampsX * StampsY)
     ) u_depth_buffer (
-      .clk_i          (clk_i),
-      .read_en_i      (ztest_read_en),
-      .read_address_i (ztest_read_address),
-      .read_data_o    (ztest_read_depth),
-      .write_en_i     (ztest_write_en),
-      .write_address_i(ztest_write_address),
-      .write_data_i   (ztest_write_depth)
+      .clk_i                (clk_i),
+      .rst_ni               (rst_ni),
+      .ztest_read_en_i      (ztest_read_en),
+      .ztest_read_bank_i    (ztest_read_bank),
+      .ztest_read_address_i (ztest_read_address),
+      .ztest_read_depth_o   (ztest_read_depth),
+      .ztest_write_en_i     (ztest_write_en),
+      .ztest_write_bank_i   (ztest_write_bank),
+      .ztest_write_address_i(ztest_write_address),
+      .ztest_write_depth_i  (ztest_write_depth),
+      .scan_bank_i          (scan_bank),
+      .scan_read_en_i       (scan_read_en),
+      .scan_address_i       (scan_address),
+      .scan_read_depth_o    (scan_depth)
     );
   end
 
   // --- I-buffer ---
-  logic scan_read_en, scan_write_en;
-  logic [AddressBits-1:0] scan_address;
   logic [Lanes*IndexBits-1:0] scan_read_index;
 
   hs_index_buffer #(
@@ -474,11 +491,13 @@ module hs_pipeline #(
     logic unused_shading;
     assign unused_shading = ^{background_i, light_valid_i, light_i, material_valid_i, material_i, texture_valid_i, texture_i,
                               texel_valid_i, texel_i, normals_valid_i, normals_i, texture_coordinates_valid_i,
-                              texture_coordinates_i, pixel_ready_i};
+                              texture_coordinates_i, pixel_ready_i, entry_ready_i, scan_depth};
     assign normals_ready_o = 1'b0;
     assign texture_coordinates_ready_o = 1'b0;
     assign pixel_valid_o = 1'b0;
     assign pixel_o = '0;
+    assign entry_valid_o = 1'b0;
+    assign entry_o = '0;
     assign colours_valid_o = 1'b0;
     assign colours_ready_o = 1'b0;
     assign colours_o = '0;
@@ -520,7 +539,8 @@ module hs_pipeline #(
     assign stored_last = planes_last;
     assign pixel_last = motion_valid_o && motion_ready_i && motion_o[MotionBits-1];
   end else begin : gen_shading
-    logic unused_motion;
+    logic unused_motion, shade_scan_valid, shade_scan_ready, shaded_valid, shaded_ready;
+    logic [PixelBits-1:0] shaded;
     assign unused_motion = ^{motion_vectors_valid_i, motion_vectors_i, motion_ready_i};
     assign motion_vectors_ready_o = 1'b0;
     assign motion_planes_valid_o = 1'b0;
@@ -529,7 +549,6 @@ module hs_pipeline #(
     assign motion_valid_o = 1'b0;
     assign motion_o = '0;
     assign planes_last = planes_valid_o && planes_ready_o && planes_o[PlanesBits-1];
-    assign pixel_last = pixel_valid_o && pixel_ready_i && pixel_o[PixelBits-1];
 
     hs_shading #(
       .LanesX(LanesX),
@@ -556,12 +575,12 @@ module hs_pipeline #(
       .attributes_valid_i(shade_valid),
       .attributes_ready_o(shade_ready),
       .attributes_i      (shade_attributes),
-      .scan_valid_i      (scan_valid_o),
-      .scan_ready_o      (scan_ready_o),
+      .scan_valid_i      (shade_scan_valid),
+      .scan_ready_o      (shade_scan_ready),
       .scan_i            (scan_o),
-      .pixel_valid_o     (pixel_valid_o),
-      .pixel_ready_i     (pixel_ready_i),
-      .pixel_o           (pixel_o),
+      .pixel_valid_o     (shaded_valid),
+      .pixel_ready_i     (shaded_ready),
+      .pixel_o           (shaded),
       .colours_valid_o   (colours_valid_o),
       .colours_ready_o   (colours_ready_o),
       .colours_o         (colours_o),
@@ -576,5 +595,57 @@ module hs_pipeline #(
       .lit_o             (lit_o),
       .stored_last_o     (stored_last)
     );
+
+    if (HasObjects != 0) begin : gen_objects
+      logic object_scan_valid, object_scan_ready, unused_pixel_ready;
+      assign unused_pixel_ready = pixel_ready_i;
+      assign pixel_valid_o = 1'b0;
+      assign pixel_o = '0;
+
+      hs_fork u_scan_fork (
+        .clk_i         (clk_i),
+        .rst_ni        (rst_ni),
+        .in_valid_i    (scan_valid_o),
+        .in_ready_o    (scan_ready_o),
+        .first_valid_o (shade_scan_valid),
+        .first_ready_i (shade_scan_ready),
+        .second_valid_o(object_scan_valid),
+        .second_ready_i(object_scan_ready)
+      );
+
+      hs_objects #(
+        .LanesX(LanesX),
+        .LanesY(LanesY)
+      ) u_objects (
+        .clk_i            (clk_i),
+        .rst_ni           (rst_ni),
+        .triangle_i       (triangle_valid_i && triangle_ready_o),
+        .triangle_last_i  (triangle_i.last),
+        .triangle_index_i (triangle_i.index),
+        .triangle_object_i(triangle_i.object),
+        .scan_valid_i     (object_scan_valid),
+        .scan_ready_o     (object_scan_ready),
+        .scan_i           (scan_o),
+        .depth_i          (scan_depth),
+        .pixel_valid_i    (shaded_valid),
+        .pixel_ready_o    (shaded_ready),
+        .pixel_i          (shaded),
+        .entry_valid_o    (entry_valid_o),
+        .entry_ready_i    (entry_ready_i),
+        .entry_o          (entry_o)
+      );
+      assign pixel_last = entry_valid_o && entry_ready_i && entry_o[EntryBits-1];
+    end else begin : gen_no_objects
+      logic unused_objects;
+      assign unused_objects = ^{entry_ready_i, scan_depth};
+      assign shade_scan_valid = scan_valid_o;
+      assign scan_ready_o = shade_scan_ready;
+      assign pixel_valid_o = shaded_valid;
+      assign shaded_ready = pixel_ready_i;
+      assign pixel_o = shaded;
+      assign entry_valid_o = 1'b0;
+      assign entry_o = '0;
+      assign pixel_last = pixel_valid_o && pixel_ready_i && pixel_o[PixelBits-1];
+    end
   end
 endmodule

@@ -102,17 +102,22 @@ std::vector<Accesses> count_accesses(const Vectors& vectors, const std::map<std:
   std::uint64_t triangles = 1;
   while (triangles < largest.triangles) triangles *= 2;
   std::vector<Accesses> result;
+  const Stream* const triangle = vectors.find("triangle");
+  const Field* const numbered = triangle ? triangle->find("object") : nullptr;
+  const Frame& frame = vectors.frames.back();
 
   const auto add = [&](Accesses a, std::uint64_t entries) {
     a.memory_bits = entries * a.entry_bits;
     result.push_back(a);
   };
   if (const Field* const depth = update.stream.find("depth")) {
-    add({"depth_buffer", std::uint64_t(depth->width), fragments, passed, stamp.size() * lanes, passed}, pixels);
+    // Where pixels know their objects the scan-out reads it as well, from a second bank.
+    const std::uint64_t scanned = numbered ? frame.width * frame.height : 0, read = numbered ? scan.size() * lanes : 0;
+    add({"depth_buffer", std::uint64_t(depth->width), fragments + scanned, passed, stamp.size() * lanes + read, passed},
+        (numbered ? 2 : 1) * pixels);
   }
 
   const Field& index = scan.field("index");
-  const Frame& frame = vectors.frames.back();
   std::uint64_t shown = 0, entries = 0, covered = 0;
   Different different;
   for (std::size_t n = 0; n < scan.size(); ++n) {
@@ -135,6 +140,10 @@ std::vector<Accesses> count_accesses(const Vectors& vectors, const std::map<std:
   const std::uint64_t stored = planes.size() - planes.set("empty");
   add({"shading_database", content_bits(planes.stream, {"last", "empty", "index"}), entries, stored,
        moves || planes.stream.find("material") ? covered : entries, stored}, 2 * triangles);  // shade_phong and motion_field read it for each pixel
+  if (numbered) {
+    const std::uint64_t came = visible.set("index");  // 0: a frame without triangles
+    add({"object_table", std::uint64_t(numbered->width), entries, came, entries, came}, 2 * triangles);
+  }
   return result;
 }
 

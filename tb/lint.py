@@ -19,11 +19,13 @@ LIT_TOPS = ["hs_light_units", "hs_pipeline"]
 PHONG_TOPS = ["hs_phong_units", "hs_pipeline"]
 TEXTURE_TOPS = ["hs_texture_units"]  # besides
 MOTION_TOPS = ["hs_motion_units", "hs_compensate_units", "hs_pipeline"]
-BESIDE_PIPELINE = ["hs_motion_compensate"]
+OBJECT_TOPS = ["hs_merge_units", "hs_pipeline"]
+BESIDE_PIPELINE = ["hs_motion_compensate", "hs_ztest_merge"]
 LIT_PACKAGE = re.compile(r"\bLights = [1-9]")
 PHONG_PACKAGE = re.compile(r"\bPhong = 1;")
 TEXTURE_PACKAGE = re.compile(r"\bHasTexture = 1;")
 MOTION_PACKAGE = re.compile(r"\bHasMotion = 1;")
+OBJECT_PACKAGE = re.compile(r"\bHasObjects = 1;")
 CONFIGS = ["low", "middle", "high"]
 STAMPS = [(1, 1), (2, 2), (4, 4)]
 
@@ -76,6 +78,8 @@ def main():
         tops = PHONG_TOPS if PHONG_PACKAGE.search(text) else LIT_TOPS if LIT_PACKAGE.search(text) else TOPS
         if MOTION_PACKAGE.search(text):
             tops = MOTION_TOPS
+        if OBJECT_PACKAGE.search(text):
+            tops = OBJECT_TOPS
         tops = tops + (TEXTURE_TOPS if TEXTURE_PACKAGE.search(text) else [])
         todo += [(top, package, lanes) for top in tops for lanes in STAMPS]
     for top, package, lanes in todo:

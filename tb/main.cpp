@@ -68,7 +68,7 @@ int run_cosim(Model* model, Vectors* vectors, const Options& options) {
   std::set<std::string> names;
   for (const Stream& stream : vectors->streams) names.insert(stream.name);
   load_streams(names, vectors);
-  if (!options.dump.empty() && vectors->find("pixel") == nullptr) {
+  if (!options.dump.empty() && vectors->find("motion") != nullptr) {
     throw Error("--dump: a frame between key frames has motion and no picture; leave it out");
   }
   LastFrame last;

@@ -38,8 +38,8 @@ def netlist_of(sources, top, lanes_x, lanes_y, out, yosys):
 
 def build(package, lanes, top, out, libraries, rtl=TB.parent / "rtl", verilator="verilator", cxx="c++", optimize="-O0",
           yosys=None):
-    """The bench of `top` (hs_units, hs_light_units, hs_phong_units, hs_texture_units, hs_motion_units, hs_compensate_units or hs_pipeline) in folder `out`. `libraries`: the harness and Verilator's,
-    in this order. With `yosys`: of the netlist that it makes."""
+    """The bench of `top` (hs_units, hs_light_units, hs_phong_units, hs_texture_units, hs_motion_units, hs_compensate_units,
+    hs_merge_units or hs_pipeline) in folder `out`. `libraries`: the harness and Verilator's, in this order. With `yosys`: of the netlist that it makes."""
     name = CONFIG.search(package.read_text()) if package.exists() else None
     if not name:
         raise Broken(f"{package}: no package of formats: print one with `halfspace package --config C -o {package}`")
@@ -70,7 +70,7 @@ def main():
     parser.add_argument("--package", type=pathlib.Path, required=True, help="what `halfspace package` printed")
     parser.add_argument("--lanes", type=int, default=4, choices=sorted(LANES_X))
     parser.add_argument("--top", default="hs_pipeline", choices=["hs_units", "hs_light_units", "hs_phong_units", "hs_texture_units", "hs_motion_units", "hs_compensate_units",
-                                                                   "hs_pipeline"])
+                                                                   "hs_merge_units", "hs_pipeline"])
     parser.add_argument("--out", type=pathlib.Path, required=True, help="folder for the model; the program is OUT/bench")
     parser.add_argument("--library", type=pathlib.Path, action="append", required=True,
                         help="the harness and Verilator's library, in this order: --library A.a --library B.a")

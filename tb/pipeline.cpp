@@ -111,7 +111,7 @@ Result run_pipeline(Model* model, const Vectors& vectors, const Options& options
   Geometry geometry;
   geometry.triangles = vectors.window;
   std::vector<std::pair<const Stream*, Receiver*>> receivers;
-  const char* const end_name = vectors.find("motion") ? "motion" : "pixel";  // ends a frame
+  const char* const end_name = vectors.shown();  // ends a frame
   Receiver* pixel = nullptr;
   bool scans = false;
   for (const Stream& stream : vectors.streams) {

@@ -131,11 +131,11 @@ std::string json_report(const Vectors& vectors, const Options& options, const st
 
 std::string rgba_picture(const Vectors& vectors, const Words& pixel) {
   const Frame& frame = vectors.frames.back();
-  const Stream& stream = *vectors.find("pixel");
+  const Stream& stream = *vectors.find(vectors.shown());
   const Field* const channels[3] = {&stream.need("r", "a picture"), &stream.need("g", "a picture"),
                                     &stream.need("b", "a picture")};
   std::string bytes(std::size_t(frame.width) * frame.height * 4, '\0');
-  each_pixel(vectors, "pixel", pixel, [&](std::size_t at, int lane, const std::uint32_t* word) {
+  each_pixel(vectors, stream.name, pixel, [&](std::size_t at, int lane, const std::uint32_t* word) {
     for (std::size_t c = 0; c < 3; ++c) {
       // Full scale is 255 whatever the bits of a channel.
       const std::uint64_t full = (1u << channels[c]->width) - 1;

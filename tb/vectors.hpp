@@ -63,6 +63,8 @@ struct Vectors {
 
   int lanes() const { return lanes_x * lanes_y; }
   const Stream* find(const std::string& name) const;
+  // The stream that comes out at the end of the pipeline: pixel, of a configuration with objects entry, between key frames motion.
+  const char* shown() const { return find("motion") ? "motion" : find("entry") ? "entry" : "pixel"; }
 };
 
 // manifest.json alone.

@@ -34,26 +34,42 @@ halfspace_cosim(low 1 standard TOP netlist STALL 30 SEEDS 1)
 halfspace_cosim(middle 4 standard TOP netlist STALL 30 SEEDS 1)
 halfspace_cosim(high 16 standard TOP netlist STALL 30 SEEDS 1)
 
-# Configurations that nobody named, from files: the package is printed and the bench built from it. A fourth argument is another
-# scene than `standard`.
-function(halfspace_cosim_file name lanes top)
-  set(scene standard)
-  if(ARGC GREATER 3)
-    set(scene ${ARGV3})
+# Configurations that nobody named, from files: the package is printed and the bench built from it, in model_TOP_NAME_LANES; with NETLIST
+# from what Yosys makes of the RTL, in netlist_…. LABEL: for tests of that label alone.
+function(halfspace_cosim_build name lanes top)
+  cmake_parse_arguments(PARSE_ARGV 3 C "NETLIST" "LABEL" "")
+  if(NOT C_LABEL)
+    set(C_LABEL all)
+  endif()
+  set(stem model_${top}_${name}_${lanes})
+  set(through "")
+  if(C_NETLIST)
+    set(stem netlist_${top}_${name}_${lanes})
+    set(through --yosys ${HALFSPACE_YOSYS})
   endif()
   set(toml ${CMAKE_CURRENT_SOURCE_DIR}/configs/${name}.toml)
-  set(model ${CMAKE_CURRENT_BINARY_DIR}/model_${top}_${name}_${lanes})
+  set(model ${CMAKE_CURRENT_BINARY_DIR}/${stem})
   file(GLOB units CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/rtl/hs_*.sv)
   add_custom_command(OUTPUT ${model}/bench
     COMMAND ${CMAKE_COMMAND} -E make_directory ${model}
     COMMAND halfspace package --config ${toml} -o ${model}/hs_formats_pkg.sv
     COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tb/model.py --package ${model}/hs_formats_pkg.sv --lanes ${lanes}
       --top hs_${top} --out ${model} --library $<TARGET_FILE:halfspace_tb> --library $<TARGET_FILE:halfspace_verilated>
-      --verilator ${HALFSPACE_VERILATOR} --cxx ${CMAKE_CXX_COMPILER} --optimize=-O0
+      --verilator ${HALFSPACE_VERILATOR} --cxx ${CMAKE_CXX_COMPILER} --optimize=-O0 ${through}
     DEPENDS halfspace halfspace_tb halfspace_verilated ${toml} ${units} ${PROJECT_SOURCE_DIR}/tb/model.py
     COMMENT "Bench of hs_${top} (${name}.toml, ${lanes} lanes)" VERBATIM)
-  add_custom_target(model_${top}_${name}_${lanes} DEPENDS ${model}/bench)
-  add_dependencies(all_tests model_${top}_${name}_${lanes})
+  add_custom_target(${stem} DEPENDS ${model}/bench)
+  add_dependencies(${C_LABEL}_tests ${stem})
+endfunction()
+# That, and its co-simulation. A fourth argument is another scene than `standard`.
+function(halfspace_cosim_file name lanes top)
+  set(scene standard)
+  if(ARGC GREATER 3)
+    set(scene ${ARGV3})
+  endif()
+  halfspace_cosim_build(${name} ${lanes} ${top})
+  set(toml ${CMAKE_CURRENT_SOURCE_DIR}/configs/${name}.toml)
+  set(model ${CMAKE_CURRENT_BINARY_DIR}/model_${top}_${name}_${lanes})
   add_test(NAME ${top}_file_${name}_${lanes} COMMAND Python3::Interpreter ${cosim_tool} $<TARGET_FILE:halfspace> ${model}/bench
            ${CMAKE_CURRENT_BINARY_DIR}/${top}_file_${name}_${lanes} ${scene} ${toml} ${lanes} --stall 30 --seeds 3)
 endfunction()

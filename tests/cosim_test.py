@@ -88,6 +88,20 @@ def compensation_difference(frames, one, without_stalls):
     return ""
 
 
+MERGE_LATENCY = 3  # from the last stamp of a run to its word of `found`
+
+
+def merge_difference(frames, one, without_stalls):
+    """Why the cycles of runs behind each other, where nothing stalls, are not those of the kernel; nothing if they are."""
+    cycles = sum(frame["cycles"] for frame in frames) + MERGE_LATENCY
+    if without_stalls and cycles != one["cycles"]:
+        return f"{one['cycles']} cycles, and {cycles} are a word each, a command a run, and the latency of the last"
+    return ""
+
+
+UNIT_DIFFERENCES = {"motion_compensate": compensation_difference, "ztest_merge": merge_difference}
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     for name in ("halfspace", "program", "folder", "scene", "config", "lanes"):
@@ -135,8 +149,8 @@ def main():
                 if why:
                     print(why)
                     return 1
-            if one["unit"] == "motion_compensate":
-                why = compensation_difference(json.loads((folder / "manifest.json").read_text())["frames"], one, args.stall == 0)
+            if of_unit := UNIT_DIFFERENCES.get(one["unit"]):
+                why = of_unit(json.loads((folder / "manifest.json").read_text())["frames"], one, args.stall == 0)
                 if why:
                     print(why)
                     return 1

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Co-simulates the whole pipeline of configurations that are made here: a size, an architecture, a shading, a texture, each
-CASE being SIZE-ARCHITECTURE-SHADING[-FILTER-MAPPING], as low-gamma-phong. The corner cases and random frames under several
+CASE being SIZE-ARCHITECTURE-SHADING[-FILTER-MAPPING][-objects], as low-gamma-phong. The corner cases and random frames under several
 stall seeds, and a scene.
 Usage: matrix_test.py HALFSPACE FOLDER CASE … --library A.a --library B.a [--lanes N] [--seeds N]"""
 import argparse
@@ -24,7 +24,7 @@ TEXTURE = {"low": {"texels": 4096, "textures": 16, "coordinate_bits": 16, "coord
 
 def configuration(case, path):
     """Writes the .toml file of a case: that of the size, with what the case changes."""
-    size, architecture, shading, *texture = case.split("-")
+    size, architecture, shading, *texture = case.removesuffix("-objects").split("-")
     text = (TESTS / "configs" / f"lit_{size}.toml").read_text()
     changes = {"name": f'"{case.replace("-", "_")}"', "architecture": f'"{architecture}"', "shading": f'"{shading}"'}
     if shading != "gouraud":
@@ -37,6 +37,8 @@ def configuration(case, path):
     if texture:
         text += f'texture = "{texture[0]}"\nmapping = "{texture[1]}"\n'
         text += "".join(f"{key} = {value}\n" for key, value in TEXTURE[size].items())
+    if case.endswith("-objects"):
+        text += "object_bits = 12\n"
     path.write_text(text)
 
 
@@ -55,7 +57,7 @@ def try_case(args, case):
     if code:
         return False, text
     bench = build(package, args.lanes, "hs_pipeline", folder / "model", args.library, verilator=args.verilator, cxx=args.cxx)
-    scene = args.textured_scene if case.count("-") > 2 else "teapot"
+    scene = args.textured_scene if case.removesuffix("-objects").count("-") > 2 else "teapot"
     for scene, seeds, options in (("standard", args.seeds, []), (scene, 1, ["--no-corners", "--size", "160x120"])):
         code, text = run([sys.executable, TESTS / "cosim_test.py", args.halfspace, bench, folder / "vectors", scene, toml,
                           args.lanes, "--stall", 30, "--seeds", seeds, "--", *options])

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The top functions of ztest_merge and scan_object, fields as plain integers, give the words of the kernels, the same at run time.
+// The top functions of ztest_merge and scan_object, fields as plain integers, give the words of the kernels, the same
+// at run time.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -13,8 +14,10 @@
 
 using TopDepthBuffer = halfspace::DepthBuffer<halfspace::TopFormats>;
 using TopObjectTable = halfspace::ObjectTable<halfspace::TopFormats>;
-extern "C" void ztest_merge_top(int, const std::int64_t*, const std::int64_t*, const std::int64_t*, std::int64_t*, std::int64_t*);
-extern "C" void scan_object_top(const std::int64_t*, const std::int64_t*, TopDepthBuffer*, const TopObjectTable*, std::int64_t*);
+extern "C" void ztest_merge_top(int, const std::int64_t*, const std::int64_t*, const std::int64_t*, std::int64_t*,
+                                std::int64_t*);
+extern "C" void scan_object_top(const std::int64_t*, const std::int64_t*, TopDepthBuffer*, const TopObjectTable*,
+                                std::int64_t*);
 
 namespace halfspace::tests {
 namespace {
@@ -47,7 +50,8 @@ TEST(MergeTop, GivesTheWordsOfTheKernel) {
     ASSERT_EQ(words["merge"].size(), std::size_t(kMergeFields));
     ASSERT_EQ(words["stored"].size(), count * kEntryFields);
     Fields merged(words["merged"].size() + 1, -1), found(std::size_t(kFoundFields) + 1, -1);
-    ztest_merge_top(int(count), words["merge"].data(), words["stored"].data(), words["entry"].data(), merged.data(), found.data());
+    ztest_merge_top(int(count), words["merge"].data(), words["stored"].data(), words["entry"].data(), merged.data(),
+                    found.data());
     for (Fields* fields : {&merged, &found}) {
       ASSERT_EQ(fields->back(), -1) << "more words than there are";
       fields->pop_back();
@@ -88,7 +92,8 @@ TEST(ScanObjectTop, GivesTheWordsOfTheKernel) {
       ASSERT_EQ(pixel.size(), std::size_t(kPixelFields));
       for (int l = 0; l < F::kLanes; ++l) {
         const std::int64_t index = in[std::size_t(3 + l)];
-        depths->depth[in[2] * F::kStampsX + in[1]][l] = from_raw<F::Depth>(index ? want[std::size_t(3 + l)] : std::int64_t(n));
+        depths->depth[in[2] * F::kStampsX + in[1]][l] =
+            from_raw<F::Depth>(index ? want[std::size_t(3 + l)] : std::int64_t(n));
         ++(index ? shown : background);
         ASSERT_EQ(want[std::size_t(3 + F::kLanes + l)], index ? objects[std::size_t(index - 1)] : 0);
       }

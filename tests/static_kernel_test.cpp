@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Static objects buffers by the kernels: each frame is, to the bit, the one that the same kernels draw of everything in one go, with
-// any number of S-buffers, of lanes and of indices, with query and without; and shows the objects that the reference shows.
+// Static objects buffers by the kernels: each frame is, to the bit, the one that the same kernels draw of everything in
+// one go, with any number of S-buffers, of lanes and of indices, with query and without; and shows the objects that the
+// reference shows.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -27,16 +28,19 @@ struct Case {
   int frames;
 };
 std::string name_of(const Case& c) {
-  return std::string(c.base) + ", depths of " + std::to_string(c.depth_bits) + " bits, " + std::to_string(c.lanes) + " lanes, " +
-         std::to_string(c.triangles) + " indices, window " + std::to_string(c.window) + ", " + std::to_string(c.buffers) +
-         " S-buffers, query " + std::to_string(c.query);
+  return std::string(c.base) + ", depths of " + std::to_string(c.depth_bits) + " bits, " + std::to_string(c.lanes) +
+         " lanes, " + std::to_string(c.triangles) + " indices, window " + std::to_string(c.window) + ", " +
+         std::to_string(c.buffers) + " S-buffers, query " + std::to_string(c.query);
 }
 
 // All triangles of a scene have an index in one frame of the other.
 constexpr int kEnough = 4000;
 vectors::Configuration configuration(const Case& c, int triangles) {
   const std::string base = c.base;
-  Config config = vectors::find_configuration(base.find('_') == base.npos ? base : std::string(HALFSPACE_SOURCE "/tests/configs/") + base + ".toml").config();
+  Config config = vectors::find_configuration(base.find('_') == base.npos
+                                                  ? base
+                                                  : std::string(HALFSPACE_SOURCE "/tests/configs/") + base + ".toml")
+                      .config();
   config.width = kWidth, config.height = kHeight;
   config.depth_bits = c.depth_bits;
   config.triangles = triangles;
@@ -46,18 +50,21 @@ vectors::Configuration configuration(const Case& c, int triangles) {
 }
 
 struct Counts {
-  std::uint64_t states[4] = {}, frames = 0, new_views = 0, queries = 0, skipped = 0, erased = 0, redrawn = 0, runs = 0, run_cycles = 0;
-  std::uint64_t passes = 0, frames_of_passes = 0;          // those that took more than one for what moves
-  std::uint64_t moving_wins = 0, still_wins = 0;           // ties: pixels where both are as near, by who has the lesser number
-  std::uint64_t compared = 0, too_near = 0, covered = 0;   // pixels, with the reference
+  std::uint64_t states[4] = {}, frames = 0, new_views = 0, queries = 0, skipped = 0, erased = 0, redrawn = 0, runs = 0,
+                run_cycles = 0;
+  std::uint64_t passes = 0, frames_of_passes = 0;  // those that took more than one for what moves
+  std::uint64_t moving_wins = 0, still_wins = 0;   // ties: pixels where both are as near, by who has the lesser number
+  std::uint64_t compared = 0, too_near = 0, covered = 0;  // pixels, with the reference
 };
 
 struct Fragment {
   std::uint32_t depth = ~0u, object = 0, next = ~0u;  // the nearest; the depth of the nearest of another object
 };
 
-// Whom the picture shows. A depth of the kernels is off by less than half an LSB before it is rounded, so by one at most.
-void expect_reference(const ref::Scene& scene, const vectors::Configuration& configuration, const std::vector<RawEntry>& picture, Counts& counts) {
+// Whom the picture shows. A depth of the kernels is off by less than half an LSB before it is rounded, so by one at
+// most.
+void expect_reference(const ref::Scene& scene, const vectors::Configuration& configuration,
+                      const std::vector<RawEntry>& picture, Counts& counts) {
   ref::ObjectRaster raster(scene, vectors::raster_format(configuration), kWidth, kHeight);
   std::vector<Fragment> nearest(picture.size());
   for (std::uint32_t n = 0; n < scene.instances.size(); ++n) {
@@ -101,7 +108,8 @@ void hold_middle(ref::Scene& scene) {
 void texture(ref::Scene& scene) {
   ref::Texture chequered;
   chequered.width = chequered.height = 8;
-  for (int n = 0; n < 64; ++n) chequered.texels.push_back({std::uint8_t((n + n / 8) % 2 * 200 + 55), std::uint8_t(n * 4), 255});
+  for (int n = 0; n < 64; ++n)
+    chequered.texels.push_back({std::uint8_t((n + n / 8) % 2 * 200 + 55), std::uint8_t(n * 4), 255});
   scene.textures = {chequered};
   for (ref::Material& material : scene.materials) material.texture = 0;
   for (ref::Mesh& mesh : scene.meshes) {
@@ -141,8 +149,8 @@ void run(const Case& c, std::uint64_t seed, Counts& counts) {
     const std::vector<RawEntry> whole = StaticFrames::entries(*everything, large, ours.triangles(all));
     for (std::size_t at = 0; at < whole.size(); ++at) {
       const RawEntry &got = ours.picture()[at], &want = whole[at];
-      ASSERT_TRUE(got == want) << "frame " << frame << ", pixel " << at << ": depth " << got.depth << ", object " << got.object << " of "
-                               << want.depth << ", " << want.object;
+      ASSERT_TRUE(got == want) << "frame " << frame << ", pixel " << at << ": depth " << got.depth << ", object "
+                               << got.object << " of " << want.depth << ", " << want.object;
     }
     expect_reference(scene, large, ours.picture(), counts);
     if (testing::Test::HasFatalFailure()) FAIL() << "frame " << frame;
@@ -154,32 +162,40 @@ void run(const Case& c, std::uint64_t seed, Counts& counts) {
       }
       const auto rebuilt = StaticFrames::entries(*everything, large, ours.triangles(standing));
       for (std::size_t at = 0; ours.static_buffer(k) && at < rebuilt.size(); ++at) {
-        ASSERT_TRUE((*ours.static_buffer(k))[at] == rebuilt[at]) << "frame " << frame << ", S-buffer " << k << ", pixel " << at;
+        ASSERT_TRUE((*ours.static_buffer(k))[at] == rebuilt[at])
+            << "frame " << frame << ", S-buffer " << k << ", pixel " << at;
       }
     }
     for (const std::uint32_t n : all) ++counts.states[int(ours.states().state(n))];
     ASSERT_TRUE(!work.new_view || (work.moving == all.size() && work.added + work.redrawn + work.queries == 0));
     ASSERT_TRUE(c.query || work.queries == 0);
     ++counts.frames;
-    counts.new_views += work.new_view, counts.queries += work.queries, counts.skipped += work.skipped, counts.erased += work.erased;
-    counts.redrawn += work.redrawn, counts.runs += work.runs, counts.run_cycles += work.run_cycles, counts.passes += work.passes;
+    counts.new_views += work.new_view, counts.queries += work.queries, counts.skipped += work.skipped,
+        counts.erased += work.erased;
+    counts.redrawn += work.redrawn, counts.runs += work.runs, counts.run_cycles += work.run_cycles,
+        counts.passes += work.passes;
     counts.frames_of_passes += passes_of_frame > 1;
   }
 }
 
 void tell(const Counts& c) {
-  std::printf("%lu frames, %lu of a new view or light; SS %lu, SD %lu, DS %lu, DD %lu; %lu queries, %lu skipped, %lu erased, %lu redrawn\n",
-              c.frames, c.new_views, c.states[0], c.states[1], c.states[2], c.states[3], c.queries, c.skipped, c.erased, c.redrawn);
-  std::printf("%lu passes, %lu frames in several; %lu runs of %lu cycles; ties %lu to what moves, %lu to what stands\n", c.passes,
-              c.frames_of_passes, c.runs, c.run_cycles, c.moving_wins, c.still_wins);
-  std::printf("%lu pixels show the reference's object, %lu of them one; %lu are too near to tell\n", c.compared, c.covered, c.too_near);
+  std::printf(
+      "%lu frames, %lu of a new view or light; SS %lu, SD %lu, DS %lu, DD %lu; %lu queries, %lu skipped, %lu erased, "
+      "%lu redrawn\n",
+      c.frames, c.new_views, c.states[0], c.states[1], c.states[2], c.states[3], c.queries, c.skipped, c.erased,
+      c.redrawn);
+  std::printf("%lu passes, %lu frames in several; %lu runs of %lu cycles; ties %lu to what moves, %lu to what stands\n",
+              c.passes, c.frames_of_passes, c.runs, c.run_cycles, c.moving_wins, c.still_wins);
+  std::printf("%lu pixels show the reference's object, %lu of them one; %lu are too near to tell\n", c.compared,
+              c.covered, c.too_near);
 }
 
 TEST(StaticFrames, AreThoseOfDrawingEverything) {
-  constexpr Case kCases[] = {
-      {"low", 5, 1, 400, 0, 1, true, 800},      {"low", 5, 16, 40, 0, 3, true, 2000},     {"middle", 24, 4, 4000, 0, 1, false, 1500},
-      {"middle", 24, 16, 30, 0, 3, false, 1500}, {"middle", 24, 4, 100, 0, 1, true, 1500}, {"low", 5, 4, 20, 3, 3, true, 1500},
-      {"lit_low", 16, 4, 60, 0, 1, true, 1000},  {"middle", 24, 16, 25, 8, 7, true, 1500}, {"textured_low", 16, 2, 80, 0, 3, true, 500}};
+  constexpr Case kCases[] = {{"low", 5, 1, 400, 0, 1, true, 800},         {"low", 5, 16, 40, 0, 3, true, 2000},
+                             {"middle", 24, 4, 4000, 0, 1, false, 1500},  {"middle", 24, 16, 30, 0, 3, false, 1500},
+                             {"middle", 24, 4, 100, 0, 1, true, 1500},    {"low", 5, 4, 20, 3, 3, true, 1500},
+                             {"lit_low", 16, 4, 60, 0, 1, true, 1000},    {"middle", 24, 16, 25, 8, 7, true, 1500},
+                             {"textured_low", 16, 2, 80, 0, 3, true, 500}};
   std::uint64_t frames = 0;
   for (const Case& c : kCases) {
     SCOPED_TRACE(name_of(c));
@@ -200,6 +216,43 @@ TEST(StaticFrames, AreThoseOfDrawingEverything) {
     frames += counts.frames;
   }
   EXPECT_GT(frames, 10000u);
+}
+
+// A pass ends where the next triangle has no index, and not before.
+TEST(Engine, FitsAsManyAsThereAreIndicesFor) {
+  const Case c{"low", 16, 4, 20, 0, 1, true, 0};
+  const vectors::Configuration few = configuration(c, c.triangles);
+  ref::Scene scene = vectors::moving_scene(kObjects);
+  vectors::SceneMotion motion(3, kObjects);
+  std::vector<std::uint32_t> all(scene.instances.size());
+  for (std::uint32_t n = 0; n < all.size(); ++n) all[n] = n;
+  for (const int window : {0, 1, 3, 8}) {
+    const auto engine = vectors::make_engine(few, c.lanes);
+    engine->reuse_indices(window);
+    std::size_t most = 0, cut = 0;
+    for (int n = 0; n < 20; ++n) {
+      motion.begin(scene);
+      StaticFrames frames(scene, {few, c.lanes, kWidth, kHeight});
+      frames.draw();
+      vectors::NamedFrame frame = frames.triangles(all);
+      engine->number(frame.objects);
+      const std::size_t fits = engine->fits(frame.scene);
+      ASSERT_GE(fits, std::size_t(c.triangles));
+      most = std::max(most, fits);
+      if (fits == frame.scene.triangles.size()) continue;
+      ++cut;
+      vectors::NamedFrame more = frame;
+      frame.scene.triangles.resize(fits), frame.objects.resize(fits);
+      EXPECT_NO_THROW(StaticFrames::entries(*engine, few, frame));
+      EXPECT_EQ(engine->fits(frame.scene), fits);
+      more.scene.triangles.resize(fits + 1), more.objects.resize(fits + 1);
+      const auto another = vectors::make_engine(few, c.lanes);
+      another->reuse_indices(window);
+      EXPECT_THROW(StaticFrames::entries(*another, few, more), ref::Error);
+    }
+    EXPECT_EQ(most > std::size_t(c.triangles), window != 0);
+    EXPECT_GT(cut, 10u) << window;
+  }
 }
 
 TEST(StaticFrames, AreOfAConfigurationWithObjects) {

@@ -15,6 +15,7 @@ class Counter {
       : by_pixel_(is_phong(config) || has_motion(config)),
         stores_depth_(stores_depth(config)),
         tests_planes_(tests_planes(config)),
+        has_objects_(has_objects(config)),
         lanes_x_(engine.lanes_x()),
         lanes_(engine.lanes_x() * engine.lanes_y()),
         lanes_y_(engine.lanes_y()),
@@ -36,6 +37,8 @@ class Counter {
       for (std::size_t k = 0; k < number; ++k) scan(layout, words[k]);
     } else if (stream == "planes" || stream == "motion_planes") {
       stored(n.shading, w.shading, number - count_set(layout, words, number, "empty"));
+    } else if (stream == "triangle" && has_objects_) {
+      stored(n.object, w.object, count_set(layout, words, number, "index"));
     } else if (stream == "visible" && tests_planes_) {
       stored(n.visibility, w.visibility, count_set(layout, words, number, "visible"));
     }
@@ -54,6 +57,7 @@ class Counter {
     const std::uint64_t pixels = std::uint64_t(std::min(lanes_x_, width_ - x)) * std::min(lanes_y_, height_ - y);
     out_.needed.index.read += pixels, out_.needed.index.written += pixels;
     out_.words.index.read += lanes_, out_.words.index.written += lanes_;
+    if (has_objects_) out_.needed.depth.read += pixels, out_.words.depth.read += lanes_;
     seen_.clear();
     std::uint64_t covered = 0;
     for (int lane = 0; lane < lanes_; ++lane) {
@@ -62,9 +66,10 @@ class Counter {
       if (entry != 0 && std::find(seen_.begin(), seen_.end(), entry) == seen_.end()) seen_.push_back(entry);
     }
     out_.needed.shading.read += seen_.size(), out_.words.shading.read += by_pixel_ ? covered : seen_.size();
+    if (has_objects_) out_.needed.object.read += seen_.size(), out_.words.object.read += seen_.size();
   }
 
-  const bool by_pixel_, stores_depth_, tests_planes_;
+  const bool by_pixel_, stores_depth_, tests_planes_, has_objects_;
   const int lanes_x_, lanes_, lanes_y_, width_, height_;
   std::vector<std::int64_t> seen_;
   Accesses out_;

@@ -90,6 +90,11 @@ BoundsReport proved_bounds(const Config& config) {
     }
     bound(kLightSum, lighting, "colour of a white light", "LSB", "light_sum", value(light_bound(config)));
   }
+  if (has_objects(config)) {
+    exact(kEntry, "scan_object", "depth and object");
+    exact(kMerge, "ztest_merge", "nearer entry");
+    exact(kMergeFound, "ztest_merge", "pixels of an object");
+  }
   return report;
 }
 
@@ -119,6 +124,7 @@ BoundsReport measured_bounds(const Configuration& configuration, const MeasureOp
   BoundsReport report = proved_bounds(config);
   measure_snapping(config, options, report.rows[kSnap]);
   measure_frames(configuration, options.seed, report);
+  if (has_objects(config)) measure_merges(configuration, options.seed, report);
   if (has_lighting(config)) measure_lighting(config, options.seed, 1 + options.triangles / 10, report);
 
   TriangleMeter meter(config, report);

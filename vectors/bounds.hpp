@@ -65,6 +65,9 @@ enum Quantity {
   kLightCosine,
   kLightPower,
   kLightSum,
+  kEntry,
+  kMerge,
+  kMergeFound,
   kQuantities
 };
 

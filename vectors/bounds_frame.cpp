@@ -37,7 +37,9 @@ struct Kept {
 };
 
 // The fragments of one frame in the order they were sent, tested one by one; then the indices that are scanned out.
-void replay(Engine& engine, const NamedFrame& frame, std::uint64_t number, BoundsReport& report) {
+// Triangle k, of index k + 1, is of objects[k]; without objects there are none.
+void replay(Engine& engine, const NamedFrame& frame, const std::vector<std::uint32_t>& objects, std::uint64_t number,
+            BoundsReport& report) {
   std::map<std::string, Stream> streams;
   engine.capture(frame.scene, [&](const Layout& layout, const Word* words, std::size_t count) {
     streams[layout.stream] = Stream(layout, words, count);
@@ -92,6 +94,18 @@ void replay(Engine& engine, const NamedFrame& frame, std::uint64_t number, Bound
     }
   }
   if (pixels != kept.size()) see(kScan, false, -1, -1);
+  if (objects.empty()) return;
+  const Stream& entry = streams["entry"];
+  const std::uint32_t background = ref::full_depth(frame.scene.format.depth_bits);
+  for (std::size_t n = 0; n < entry.size(); ++n) {
+    for (int l = 0; l < lanes; ++l) {
+      const auto [x, y] = pixel(entry, n, l);
+      if (x >= width || y >= height) continue;
+      const Kept& at = kept[std::size_t(y) * width + x];
+      const std::uint32_t object = at.index ? objects[at.index - 1] : 0, depth = at.index ? at.depth : background;
+      see(kEntry, entry.get(n, "object", l) == object && entry.get(n, "depth", l) == depth, x, y);
+    }
+  }
 }
 
 }  // namespace
@@ -103,7 +117,11 @@ void measure_frames(const Configuration& configuration, std::uint64_t seed, Boun
     if (is_phong(configuration.config())) {
       engine->light(awkward_normals(frame.scene.triangles.size(), configuration.config(), seed));
     }
-    replay(*engine, frame, ++number, report);
+    std::vector<std::uint32_t> objects;
+    const std::uint32_t bits = std::uint32_t(configuration.config().object_bits), most = (1u << bits) - 1;
+    for (std::uint32_t k = 0; bits != 0 && k < frame.scene.triangles.size(); ++k) objects.push_back(1 + (k * 7 + number) % most);
+    if (bits != 0) engine->number(objects);
+    replay(*engine, frame, objects, ++number, report);
   }
 }
 

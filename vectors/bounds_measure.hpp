@@ -14,6 +14,8 @@ namespace halfspace::vectors {
 
 // ztest_index and scan_index on frames of random triangles, against buffers of its own.
 void measure_frames(const Configuration& configuration, std::uint64_t seed, BoundsReport& report);
+// ztest_merge on random entries, against keys of 64 bits.
+void measure_merges(const Configuration& configuration, std::uint64_t seed, BoundsReport& report);
 
 // Of what a plane's register holds at a pixel without its ½, in LSB.
 double plane_error(const PlaneNumbers& numbers, const ExactTriangle& exact, const Values& values, const ProbedPlane& plane, int x,

@@ -45,7 +45,8 @@ class Engine {
 
   // Of a motion configuration, before a frame is drawn: where its triangles are in the key frames.
   virtual void move(const MotionFrame& frame) = 0;
-  // Of a configuration with objects, before a frame is drawn: the number of the object of each triangle, 1 … 2^object_bits − 1.
+  // Of a configuration with objects, before a frame is drawn: the number of the object of each triangle, 1 … 2^object_bits − 1;
+  // none: all are of object 1.
   virtual void number(const std::vector<std::uint32_t>& objects) = 0;
   // Not 0: from now on indices of invisible triangles are used again, by the rule of ref::IndexReuse with this window, and a frame
   // may have more triangles than there are indices. render() throws ref::Error when they are used up.

@@ -250,7 +250,7 @@ class KernelEngine : public Engine {
       if (k < count) {
         const ref::SnappedTriangle& in = scene.triangles[k];
         t.index = from_raw<typename F::Index>(pool.take());
-        if (F::kHasObjects) t.object = from_raw<typename F::Object>(objects_[k]);
+        if (F::kHasObjects) t.object = from_raw<typename F::Object>(objects_.empty() ? 1 : objects_[k]);
         for (int v = 0; v < 3; ++v) {
           t.x[v] = from_raw<typename F::Coord>(in.x[v]);
           t.y[v] = from_raw<typename F::Coord>(in.y[v]);
@@ -281,8 +281,8 @@ class KernelEngine : public Engine {
 
   void check_objects(const ref::SnappedList& scene) const {
     const std::uint32_t most = (1u << F::Object::width()) - 1;
-    if (objects_.size() != scene.triangles.size()) {
-      throw ref::Error("the configuration has objects, and the triangles came without: take one with object_bits = 0");
+    if (!objects_.empty() && objects_.size() != scene.triangles.size()) {
+      throw ref::Error("a frame has another number of triangles than numbers of objects: this is a fault of the program");
     }
     for (const std::uint32_t object : objects_) {
       if (object == 0 || object > most) throw ref::Error("an object's number does not fit its bits: raise object_bits of the configuration");

@@ -214,7 +214,7 @@ Fit fit_configuration(const FitScene& scene, const std::string& name, const FitG
     }
   }
 
-  Fit fit{named_configurations()[0], search.try_config(c), {}, 0, {}};
+  Fit fit{named_configurations()[0], search.try_config(c), {}, 0, {}, {}};
   c.triangles = int(fit.outcome.triangles);
   auto tell_less = [&](const std::string& field, int value, const FitOutcome& outcome) {
     fit.less.push_back({fmt::format("{} {} -> {}", field, value, value - 1), outcome.holds ? "holds" : outcome.why});
@@ -239,7 +239,10 @@ Fit fit_configuration(const FitScene& scene, const std::string& name, const FitG
                                    c.lanes, goal.cycles));
     }
   }
-  if (has_depth(c)) fit.architecture = choose_architecture(c, goal, cycles_of);
+  if (goal.static_objects) {
+    fit.objects = choose_objects(c, scene, [&](const FitScene& of, const Config& with) { return slowest_frame(of, Configuration(name, with)); });
+  }
+  if (has_depth(c) && !has_objects(c)) fit.architecture = choose_architecture(c, goal, cycles_of);
   fit.configuration = Configuration(name, c);
   fit.tried = search.tried();
   return fit;

@@ -4,15 +4,17 @@
 // The search begins with a configuration that is more than enough and takes away, in the order of what it saves: the
 // Z-buffer, the colour planes, then bits of depth, colour, positions, gradients and the reciprocal, each as long as every
 // frame keeps the goal; again until nothing more can go. Type γ, which draws the same frames, takes the place of what needs a
-// Z-buffer where it is smaller. The range, the frame and the number of triangles follow from the
+// Z-buffer where it is smaller, unless pixels know their objects. The range, the frame and the number of triangles follow from the
 // scene. So a bit less anywhere is refused or breaks the goal, which `less` shows for each number.
 #ifndef HALFSPACE_VECTORS_FIT_HPP_
 #define HALFSPACE_VECTORS_FIT_HPP_
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "ref/scene.hpp"
 #include "vectors/configuration.hpp"
 #include "vectors/trade.hpp"
 
@@ -22,6 +24,7 @@ struct FitGoal {
   double psnr = 45;         // dB against the ideal picture, of each frame; 0: not asked
   double max_lsb = 0;       // largest error of a colour against the ideal, LSB of 8 bits, where both show the same face; 0: not asked
   std::uint64_t cycles = 0; // a frame at most, by the model; 0: not asked
+  bool static_objects = false;  // S-buffers for what stands still, where they save cycles
 };
 
 struct FitScene {
@@ -29,6 +32,7 @@ struct FitScene {
   int width, height;
   std::vector<double> times;         // seconds, of the frames
   std::vector<Projection> frames;
+  std::vector<std::shared_ptr<const ref::Scene>> scenes = {};  // of the frames; none of what is no scene
 };
 
 // What the scene asks for, over all frames.
@@ -66,12 +70,23 @@ struct FitArchitecture {
 };
 constexpr double kGammaCycles = 1.02;
 
+// Static objects buffers, where they are asked for: pixels know their objects if some of a frame's move, some stand still, and what
+// moves alone takes fewer cycles than all of it. Type γ has no depths to merge, and is not taken then.
+struct FitObjects {
+  std::size_t objects = 0, moving = 0, standing = 0;   // instances: all; most, and fewest, of a frame
+  std::uint64_t cycles_all = 0, cycles_moving = 0;  // of the slowest frame by the model; 0: not looked at
+  std::string why;  // they are there, or not; empty: not asked for
+};
+// Makes `c` have them. `cycles_of` are those of the slowest frame.
+FitObjects choose_objects(Config& c, const FitScene&, const std::function<std::uint64_t(const FitScene&, const Config&)>& cycles_of);
+
 struct Fit {
   Configuration configuration;
   FitOutcome outcome;
   std::vector<FitLess> less;
   std::uint64_t tried = 0;  // configurations
   FitArchitecture architecture;
+  FitObjects objects;
 };
 
 // `lanes` 0: the fewest that keep the goal's cycles. Throws ref::Error when no configuration reaches the goal, with the best

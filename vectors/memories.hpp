@@ -12,7 +12,7 @@ namespace halfspace::vectors {
 
 // Bits of an entry; 0 where there is no such memory.
 struct BufferBits {
-  int depth, frame, pixel, index, visibility, shading;
+  int depth, frame, pixel, index, visibility, shading, object = 0;
 };
 BufferBits entry_bits(const Config&);
 
@@ -32,13 +32,19 @@ constexpr NamedBuffer kBuffers[] = {{"depth_buffer", &ref::BufferUses::depth, &B
                                     {"pixel_buffer", &ref::BufferUses::pixel, &BufferBits::pixel},
                                     {"index_buffer", &ref::BufferUses::index, &BufferBits::index},
                                     {"visibility_database", &ref::BufferUses::visibility, &BufferBits::visibility},
-                                    {"shading_database", &ref::BufferUses::shading, &BufferBits::shading}};
+                                    {"shading_database", &ref::BufferUses::shading, &BufferBits::shading},
+                                    {"object_table", &ref::BufferUses::object, &BufferBits::object}};
 
-// Bits of a frame's memories: two banks of I-buffer and TdbS, one of Z-buffer or TdbV. A buffer has whole stamps, a database as many
+// What objects add to a frame as any circuit needs it: scan-out reads the depth of each pixel, and the object of each triangle that
+// it reads from TdbS; the object of each triangle that comes is stored.
+void add_object_uses(std::uint64_t pixels, std::uint64_t triangles, ref::BufferUses&);
+
+// Bits of a frame's memories: two banks of I-buffer and TdbS, and with objects of the Z-buffer and of their table; one of Z-buffer or
+// TdbV. A buffer has whole stamps, a database as many
 // entries as its address tells apart.
 struct MemoryBits {
-  std::uint64_t index, depth, shading, visibility;
-  std::uint64_t total() const { return index + depth + shading + visibility; }
+  std::uint64_t index, depth, shading, visibility, object;
+  std::uint64_t total() const { return index + depth + shading + visibility + object; }
 };
 MemoryBits memory_bits(const Config&, int lanes_x = 1, int lanes_y = 1);
 

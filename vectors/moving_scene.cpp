@@ -63,7 +63,8 @@ void SceneMotion::step(ref::Scene& scene) {
     if (moving_[n] ? below(4) == 0 : below(12) == 0) moving_[n] = !moving_[n];
     if (!moving_[n]) continue;
     const glm::dmat4 before = scene.instances[n].to_world;
-    if (below(5) == 0 && n > 0) scene.instances[n].to_world = scene.instances[std::size_t(below(int(n)))].to_world;  // a tie
+    if (below(5) == 0 && n > 0)
+      scene.instances[n].to_world = scene.instances[std::size_t(below(int(n)))].to_world;  // a tie
     while (scene.instances[n].to_world == before) scene.instances[n].to_world = place();
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A small scene whose objects start and stop at random and come to stand in each other's places: what tests of the static objects
-// buffer and its vector sets draw.
+// A small scene whose objects start and stop at random and come to stand in each other's places: what tests of the
+// static objects buffer and its vector sets draw.
 #ifndef HALFSPACE_VECTORS_MOVING_SCENE_HPP_
 #define HALFSPACE_VECTORS_MOVING_SCENE_HPP_
 
@@ -12,9 +12,9 @@
 
 namespace halfspace::vectors {
 
-// Up to 16 objects: quads that face the viewer and meet at equal depths, from both sides or one; solids; one smaller than a pixel.
-// Each has its own colours, so that no two look alike. After them one more, which is always there, so that a frame is never without
-// a triangle.
+// Up to 16 objects: quads that face the viewer and meet at equal depths, from both sides or one; solids; one smaller
+// than a pixel. Each has its own colours, so that no two look alike. After them one more, which is always there, so
+// that a frame is never without a triangle.
 ref::Scene moving_scene(int objects);
 
 // Chooses who moves, and where to: few places, so that objects meet and come back.

@@ -49,7 +49,7 @@ class ObjectCosts {
 struct Run {
   StaticMethod method;
   ref::StaticObjects objects;
-  std::vector<std::uint32_t> drawn, queried;  // in the frame at hand
+  std::vector<std::uint32_t> drawn;  // in the frame at hand
 };
 
 class Experiment {
@@ -68,18 +68,13 @@ class Experiment {
           "configuration",
           o.width, o.height, format_.name, format_.width, format_.height));
     }
-    runs_.reserve(kStaticMethods - 1);
     for (const StaticMethod method : {StaticMethod::kNoQuery, StaticMethod::kQuery, StaticMethod::kQueryMany}) {
-      Run* const run = runs_.data() + runs_.size();  // where it will stand
       ref::StaticOptions options;
       if (method == StaticMethod::kQueryMany) options.buffers = o.buffers;
       if (method != StaticMethod::kNoQuery) {
-        options.query = [run](const ref::ObjectBuffer& buffer, std::uint32_t object, const ref::Box& box) {
-          run->queried.push_back(object - 1);
-          return ref::visible_pixels(buffer, object, box);
-        };
+        options.query = ref::visible_pixels;
       }
-      runs_.push_back({method, {crowd_.scene(), format_, o.width, o.height, options}, {}, {}});
+      runs_.push_back({method, {crowd_.scene(), format_, o.width, o.height, options}, {}});
     }
     for (const ref::Instance& instance : crowd_.scene().instances)
       result_.triangles += crowd_.scene().meshes[instance.mesh].triangles.size();
@@ -119,7 +114,6 @@ class Experiment {
     crowd_.step(moving);
     for (Run& run : runs_) {
       run.drawn.clear();
-      run.queried.clear();
       const double begin = processor_ms();
       const ref::FrameWork work = run.objects.draw([&](std::uint32_t n) {
         run.drawn.push_back(n);
@@ -139,12 +133,12 @@ class Experiment {
       frames.milliseconds.add(ms);
       frames.starts += work.started;
       frames.updates += work.started - work.skipped;
-      frames.cycles.add(double(cycles(run)));
+      frames.cycles.add(double(cycles(run, work)));
     }
   }
 
   // Objects that have moved are asked anew, by whichever method draws them first in a frame.
-  std::uint64_t cycles(Run& run) {
+  std::uint64_t cycles(Run& run, const ref::FrameWork& work) {
     if (&run == &runs_.front()) {
       for (std::uint32_t n = 0; n < std::uint32_t(o_.crowd.objects); ++n) {
         const ref::ObjectState state = run.objects.state(n);
@@ -156,10 +150,8 @@ class Experiment {
       const ObjectCosts::Cost& cost = costs_.of(n, run.objects.raster());
       sum.triangle_setup += cost.triangle_setup, sum.shade_setup += cost.shade_setup;
     }
-    // A query draws an object as it stood a frame before, an eighth of its radius away: taken as it stands now.
-    const std::uint64_t merge =
-        std::uint64_t(run.objects.buffers()) * stamps(std::uint64_t(o_.width) * std::uint64_t(o_.height));
-    for (const std::uint32_t n : run.queried) sum.triangle_setup += costs_.of(n, run.objects.raster()).triangle_setup;
+    const std::uint64_t frame = stamps(std::uint64_t(o_.width) * std::uint64_t(o_.height));
+    const std::uint64_t merge = (1 + work.drawn_into) * frame + std::uint64_t(run.objects.buffers()) * stamps(work.composed) + stamps(work.searched);
     return std::max({sum.triangle_setup, sum.shade_setup, merge});
   }
 

@@ -69,9 +69,10 @@ using ExperimentProgress = std::function<void(const char* phase, std::size_t don
 
 // Throws ref::Error when a picture differs from that of drawing everything.
 //
-// Cycles of a frame: the slowest of triangle setup, shade setup and merge, without waits: the two over the objects
-// drawn, the first also over those that a query draws; the merge takes a stamp a cycle for each S-buffer. The
-// rasterizer takes fewer than the setup: of triangles of a pixel about one stamp each.
+// Cycles of a frame: the slowest of triangle setup and shade setup, over the objects drawn, and ztest_merge, without waits. The
+// last takes a stamp a cycle: the frame; a frame more for each S-buffer that objects are drawn into, as a pass ends with a scan of
+// it; the box of each object that is asked for or erased; and what is merged anew of all S-buffers. The rasterizer takes fewer
+// than the setup: of triangles of a pixel about one stamp each.
 StaticExperiment run_static_experiment(const StaticExperimentOptions&, const ExperimentProgress&);
 
 }  // namespace halfspace::vectors

@@ -20,9 +20,12 @@ bool same(const LightingFrame& a, const LightingFrame& b) {
     return x.base == y.base && x.diffuse == y.diffuse && x.specular == y.specular;
   };
   const auto same_material = [&](const RawMaterial& x, const RawMaterial& y) {
-    return x.gloss == y.gloss && std::equal(x.reflections.begin(), x.reflections.end(), y.reflections.begin(), y.reflections.end(), same_reflection);
+    return x.gloss == y.gloss && std::equal(x.reflections.begin(), x.reflections.end(), y.reflections.begin(),
+                                            y.reflections.end(), same_reflection);
   };
-  const auto same_light = [](const RawLight& x, const RawLight& y) { return x.to_light == y.to_light && x.half == y.half; };
+  const auto same_light = [](const RawLight& x, const RawLight& y) {
+    return x.to_light == y.to_light && x.half == y.half;
+  };
   return std::equal(a.lights.begin(), a.lights.end(), b.lights.begin(), b.lights.end(), same_light) &&
          std::equal(a.materials.begin(), a.materials.end(), b.materials.begin(), b.materials.end(), same_material);
 }
@@ -42,7 +45,8 @@ NamedFrame part(const NamedFrame& frame, std::size_t from, std::size_t to) {
 }
 
 Box covered(const NamedFrame& frame, std::size_t k) {
-  return ref::pixel_box(frame.scene.triangles[k], frame.scene.format.subpixel_bits, frame.scene.width, frame.scene.height);
+  return ref::pixel_box(frame.scene.triangles[k], frame.scene.format.subpixel_bits, frame.scene.width,
+                        frame.scene.height);
 }
 
 void load(Engine& engine, const Config& config, const NamedFrame& frame) {
@@ -95,7 +99,8 @@ void StaticFrames::look() {
     if (!lighting_.lights.empty() && !same(lighting, lighting_)) start_anew();
     lighting_ = std::move(lighting);
   }
-  for (int i = 0; i < 3; ++i) background_[std::size_t(i)] = ref::snapped_colour(geometry_->positions().background[std::size_t(i)], c.colour_bits);
+  for (int i = 0; i < 3; ++i)
+    background_[std::size_t(i)] = ref::snapped_colour(geometry_->positions().background[std::size_t(i)], c.colour_bits);
   if (has_texture(c)) texture_ = texture_frame(*geometry_, c);
 }
 
@@ -115,7 +120,8 @@ NamedFrame StaticFrames::triangles(const std::vector<std::uint32_t>& instances) 
     if (has_texture(config_)) out.texture.triangles.push_back(texture_.triangles[k]);
     if (!has_colours(config_)) continue;
     const auto colours = geometry_->colours(k);
-    for (std::size_t v = 0; v < 3; ++v) triangle[v].r = colours[v].r, triangle[v].g = colours[v].g, triangle[v].b = colours[v].b;
+    for (std::size_t v = 0; v < 3; ++v)
+      triangle[v].r = colours[v].r, triangle[v].g = colours[v].g, triangle[v].b = colours[v].b;
   }
   ref::RasterFormat format = raster_format(options_.configuration);
   format.triangles = std::numeric_limits<int>::max();  // of all passes
@@ -123,7 +129,8 @@ NamedFrame StaticFrames::triangles(const std::vector<std::uint32_t>& instances) 
   return out;
 }
 
-std::vector<RawEntry> StaticFrames::entries(Engine& engine, const Configuration& configuration, const NamedFrame& frame) {
+std::vector<RawEntry> StaticFrames::entries(Engine& engine, const Configuration& configuration,
+                                            const NamedFrame& frame) {
   load(engine, configuration.config(), frame);
   return engine.entries(frame.scene);
 }
@@ -150,7 +157,8 @@ void StaticFrames::draw_passes(const NamedFrame& frame, const Box& region, const
   }
 }
 
-MergeInput StaticFrames::input(const std::vector<RawEntry>& stored, const std::vector<RawEntry>* drawn, const Box& box) const {
+MergeInput StaticFrames::input(const std::vector<RawEntry>& stored, const std::vector<RawEntry>* drawn,
+                               const Box& box) const {
   MergeInput input;
   input.width = options_.width, input.height = options_.height;
   input.box = box;
@@ -233,7 +241,8 @@ void StaticFrames::compose() {
   behind_ = filled.empty() ? nullptr : filled.size() == 1 ? &static_[filled[0]] : &still_;
   if (filled.size() < 2 || changed_.empty()) return;
   std::vector<RawEntry> merged = static_[filled[0]];
-  for (std::size_t i = 1; i < filled.size(); ++i) merged = run("compose", input(merged, &static_[filled[i]], changed_)).merged;
+  for (std::size_t i = 1; i < filled.size(); ++i)
+    merged = run("compose", input(merged, &static_[filled[i]], changed_)).merged;
   still_.resize(merged.size());
   for (int y = changed_.y0; y < changed_.y1; ++y) {
     for (int x = changed_.x0; x < changed_.x1; ++x) {
@@ -254,8 +263,10 @@ void StaticFrames::show() {
   const NamedFrame frame = triangles(instances);
   bool sent = false;
   draw_passes(frame, frame_, [&](const std::vector<RawEntry>& pass, const Box& box) {
-    if (sent) picture_ = run("frame", input(picture_, &pass, box)).merged;
-    else picture_ = behind_ ? run("frame", input(*behind_, &pass, frame_)).merged : pass;
+    if (sent)
+      picture_ = run("frame", input(picture_, &pass, box)).merged;
+    else
+      picture_ = behind_ ? run("frame", input(*behind_, &pass, frame_)).merged : pass;
     sent = true;
   });
   if (!sent) picture_ = behind_ ? run("frame", input(*behind_, nullptr, frame_)).merged : draw_pass(frame);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Static objects buffers by the kernels: what ref/static_objects.hpp is by the reference. hs_pipeline draws passes, ztest_merge puts
-// them into S-buffers and frames, erases and asks; here is what a driver does. docs/static.md has the rules.
+// Static objects buffers by the kernels: what ref/static_objects.hpp is by the reference. hs_pipeline draws passes,
+// ztest_merge puts them into S-buffers and frames, erases and asks; here is what a driver does. docs/static.md has the
+// rules.
 #ifndef HALFSPACE_VECTORS_STATIC_FRAMES_HPP_
 #define HALFSPACE_VECTORS_STATIC_FRAMES_HPP_
 
@@ -21,15 +22,16 @@ struct StaticFramesOptions {
   Configuration configuration;  // with objects
   int lanes = 4;
   int width = 0, height = 0;
-  int buffers = 1;    // S-buffers; instance n is in number n mod buffers while it stands still
-  bool query = true;  // an S-buffer is asked before it is changed; else each update is done, in the whole box of the object
-  int window = 0;     // of index reuse
+  int buffers = 1;  // S-buffers; instance n is in number n mod buffers while it stands still
+  bool query =
+      true;  // an S-buffer is asked before it is changed; else each update is done, in the whole box of the object
+  int window = 0;  // of index reuse
 };
 
 // What a frame took.
 struct StaticFrameWork {
-  bool new_view = false;                                // all is dynamic, and the S-buffers are empty
-  std::uint64_t moving = 0, added = 0, redrawn = 0;     // objects drawn: SD and DD; DS; others of an S-buffer, for an SD
+  bool new_view = false;                             // all is dynamic, and the S-buffers are empty
+  std::uint64_t moving = 0, added = 0, redrawn = 0;  // objects drawn: SD and DD; DS; others of an S-buffer, for an SD
   std::uint64_t started = 0, queries = 0, skipped = 0;  // SD, seen from where the last frame was; asked; skipped
   std::uint64_t erased = 0;                             // of the SD, those that left pixels to be drawn again
   std::uint64_t passes = 0, triangles = 0;              // frames of hs_pipeline, and what it was handed
@@ -44,11 +46,13 @@ struct StaticFramesSink {
 
 class StaticFrames {
  public:
-  // The scene as in ref::StaticObjects. Throws ref::Error for a configuration without objects and where ref::ObjectStates does.
+  // The scene as in ref::StaticObjects. Throws ref::Error for a configuration without objects and where
+  // ref::ObjectStates does.
   StaticFrames(const ref::Scene&, const StaticFramesOptions&);
 
-  // The scene as it stands now. With lighting in hardware, where the middle of the scene is the point that lights and viewer are
-  // seen from, a movement of it may be a change of light. Throws ref::Error where no triangle of the scene is in the frame.
+  // The scene as it stands now. With lighting in hardware, where the middle of the scene is the point that lights and
+  // viewer are seen from, a movement of it may be a change of light. Throws ref::Error where no triangle of the scene
+  // is in the frame.
   const StaticFrameWork& draw(const StaticFramesSink& sink = {});
   // Other lights, materials, meshes or background: the next frame begins as after a movement of the viewpoint.
   void start_anew() { states_.start_anew(); }
@@ -89,8 +93,8 @@ class StaticFrames {
   std::array<std::uint8_t, 3> background_{};
 
   std::vector<std::vector<RawEntry>> static_;
-  std::vector<bool> filled_;                 // what is in the others is of an earlier viewpoint
-  std::vector<RawEntry> still_;              // those that are filled merged, where they are two or more
+  std::vector<bool> filled_;                       // what is in the others is of an earlier viewpoint
+  std::vector<RawEntry> still_;                    // those that are filled merged, where they are two or more
   const std::vector<RawEntry>* behind_ = nullptr;  // all that stands still; null: nothing does
   std::vector<RawEntry> picture_;
   ref::Box changed_;  // of the S-buffers in this frame

@@ -10,7 +10,8 @@
 
 namespace halfspace::vectors {
 
-// Notes begin with the frame of the sequence. That of a run in which a pass is merged ends with "pass P", its place in `passes`.
+// Notes begin with the frame of the sequence. That of a run in which a pass is merged ends with "pass P", its place in
+// `passes`.
 struct StaticSequence {
   std::vector<NamedFrame> passes;
   std::vector<NamedMerge> runs;

@@ -9,6 +9,7 @@
 
 #include "ref/error.hpp"
 #include "ref/ideal.hpp"
+#include "ref/static_instances.hpp"
 #include "vectors/motion.hpp"
 #include "vectors/texture.hpp"
 
@@ -52,6 +53,26 @@ std::vector<RawMotion> doubled(const std::vector<RawMotion>& field, int width, i
     }
   }
   return out;
+}
+
+// Takes the triangles of `still` instances out of what is drawn.
+void leave_out(const std::vector<bool>& still, const ref::Scene& scene, ref::Between& motion, ref::OfKeys<ref::LightChange>& change) {
+  const std::vector<std::uint32_t> instance = ref::instances_of_faces(scene);
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < motion.traces.size(); ++k) {
+    if (still[instance[motion.list.face[k]]]) continue;
+    motion.list.triangles[kept] = motion.list.triangles[k];
+    motion.list.face[kept] = motion.list.face[k];
+    motion.traces[kept] = motion.traces[k];
+    for (ref::LightChange& of_key : change) {
+      if (!of_key.empty()) of_key[kept] = of_key[k];
+    }
+    ++kept;
+  }
+  motion.list.triangles.resize(kept), motion.list.face.resize(kept), motion.traces.resize(kept);
+  for (ref::LightChange& of_key : change) {
+    if (!of_key.empty()) of_key.resize(kept);
+  }
 }
 
 }  // namespace
@@ -123,7 +144,8 @@ KernelUpConverter::KernelUpConverter(const KernelUpConversion& mode)
       motion_(mode_.motion.config()),
       colour_engine_(make_engine(mode.colour, mode.lanes)),
       motion_engine_(make_engine(mode.motion, mode.lanes)),
-      compensator_(mode.motion) {
+      compensator_(mode.motion),
+      static_buffer_(*colour_engine_, mode_.colour) {
   const Config colour = mode.colour.config();
   for (const auto field : kShared) {
     if (colour.*field == motion_.*field) continue;
@@ -139,6 +161,10 @@ KernelUpConverter::KernelUpConverter(const KernelUpConversion& mode)
   }
   if (mode.half_field && motion_.samples != 1) {
     throw ref::Error(fmt::format("configuration {}: half a field has no samples: take one with samples = 1", mode.motion.name()));
+  }
+  if (mode.static_buffer && (mode.half_field || mode.method != ref::MotionMethod::kExact || !stores_depth(colour))) {
+    throw ref::Error(fmt::format("configuration {}: a static buffer needs exact motion, a vector a sample, and a Z-buffer, as what moves "
+                                 "is held against its depths: leave it out here", mode.colour.name()));
   }
 }
 
@@ -171,17 +197,43 @@ void KernelUpConverter::set_keys(const ref::Scene& first, const ref::Scene& seco
   }
 }
 
-std::vector<RawMotion> KernelUpConverter::field(const ref::Scene& between, double a) {
+std::vector<RawMotion> KernelUpConverter::field(const ref::Scene& between, double a, const std::vector<bool>& still) {
   ref::View seen = view(motion_.samples);
   if (mode_.half_field) seen.width /= 2, seen.height /= 2;
-  const ref::Between motion = ref::follow(mode_.method, *scenes_[0], *scenes_[1], between, a, seen);
+  ref::Between motion = ref::follow(mode_.method, *scenes_[0], *scenes_[1], between, a, seen);
   ref::OfKeys<ref::LightChange> change;
   if (relights(motion_)) {
     change = light_changes(between, {&*scenes_[0], &*scenes_[1]}, seen, motion_.colour_bits, has_texture(mode_.colour.config()));
   }
+  if (!still.empty()) leave_out(still, between, motion, change);
   motion_engine_->move(motion_frame(motion, motion_, change));
-  const std::vector<RawMotion> words = motion_engine_->motion(ref::snap(motion.list, raster_format(mode_.motion)));
+  list_ = ref::snap(motion.list, raster_format(mode_.motion));
+  std::vector<RawMotion> words = motion_engine_->motion(list_);
+  if (!still.empty()) drop_hidden(between, motion.list.face, words);
   return mode_.half_field ? doubled(words, mode_.width, mode_.height, motion_) : words;
+}
+
+void KernelUpConverter::drop_hidden(const ref::Scene& between, const std::vector<std::uint32_t>& face, std::vector<RawMotion>& words) {
+  const std::vector<std::uint32_t> instance = ref::instances_of_faces(between);
+  const ref::Frame frame = motion_engine_->render(list_);
+  const auto hidden = [&](const RawMotion& word) {
+    const std::size_t at = std::size_t(word.y) * frame.width + word.x;
+    return static_buffer_.hides(word.x, word.y, frame.depth[at], instance[face[frame.index[at] - 1]] + 1);
+  };
+  words.erase(std::remove_if(words.begin(), words.end(), hidden), words.end());
+}
+
+std::uint64_t KernelUpConverter::show_static(ref::Colours& colour) const {
+  std::vector<bool> moving(colour.size(), false);
+  for (const RawMotion& word : input_.motion) moving[std::size_t(word.y) * input_.width + word.x] = true;
+  std::uint64_t pixels = 0;
+  for (std::size_t at = 0; at < colour.size(); ++at) {
+    if (moving[at]) continue;
+    const ref::ObjectPixel& shown = static_buffer_.at(int(at) % input_.width, int(at) / input_.width);
+    colour[at] = shown.colour;
+    pixels += shown.object() != 0;
+  }
+  return pixels;
 }
 
 KernelFrameBetween KernelUpConverter::at(const ref::Scene& between, double a) {
@@ -189,17 +241,26 @@ KernelFrameBetween KernelUpConverter::at(const ref::Scene& between, double a) {
   ref::Geometry geometry(between, view(samples));
   const ref::DrawnFrame whole = drawn(geometry);
 
-  input_ = {whole.width, whole.height, {&keys_[0], &keys_[1]}, field(between, a), 0};
+  KernelFrameBetween out;
+  std::vector<bool> still;
+  if (mode_.static_buffer) {
+    still = ref::static_instances(*scenes_[0], *scenes_[1], between, double(whole.width) / whole.height);
+    out.static_instances = std::size_t(std::count(still.begin(), still.end(), true));
+    if (out.static_instances == 0) still.clear();
+    else out.static_triangles = static_buffer_.show(between, still, view(samples));
+  }
+  input_ = {whole.width, whole.height, {&keys_[0], &keys_[1]}, field(between, a, still), 0};
   input_.weight = int(std::floor((1 - a) * (1 << motion_.weight_bits) + 0.5));
   const CompensatedFrame made = compensator_.run(input_);
 
-  KernelFrameBetween out;
+  out.triangles = list_.triangles.size();
   out.words = input_.motion.size();
   out.misses = made.misses;
   out.cycles = made.cycles;
   out.rendered = ref::averaged(whole.colour, whole.width, whole.height, samples);
   ref::Colours colour = whole.colour;  // holes and background
-  out.shares.background = colour.size() - out.words;
+  if (!still.empty()) out.shares.still = show_static(colour);
+  out.shares.background = colour.size() - out.words - out.shares.still;
   for (const CompensatedPixel& pixel : made.pixels) {
     if (out.words == 0) break;  // the word that ends a frame
     if (pixel.keys == 0) {

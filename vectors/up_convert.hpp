@@ -11,6 +11,7 @@
 #include "vectors/compensation.hpp"
 #include "vectors/configuration.hpp"
 #include "vectors/engine.hpp"
+#include "vectors/static_buffer.hpp"
 
 namespace halfspace::vectors {
 
@@ -39,10 +40,16 @@ struct KernelUpConversion {
   ref::MotionMethod method = ref::MotionMethod::kExact;
   bool half_field = false;  // a vector for 2 × 2 pixels; of motion.samples = 1
   int lanes = 16;
+  // What stands still between the keys comes from an S-buffer, and only what moves is drawn and compensated. Of exact motion, a whole field,
+  // and configurations with a Z-buffer; depths compare where Scene::depth_planes is held.
+  bool static_buffer = false;
 };
 
 struct KernelFrameBetween : ref::FrameBetween {
-  std::size_t words = 0;                // of motion: pixels of the field that show a face
+  std::size_t triangles = 0;            // handed to the pipeline for the field
+  std::size_t static_triangles = 0;     // and for the S-buffer: 0 where it showed what stands still already
+  std::size_t static_instances = 0;     // that the S-buffer shows; 0: the ordinary method
+  std::size_t words = 0;                // of motion: pixels of the field that show a face, and that the S-buffer does not hide
   std::array<std::size_t, 2> misses{};  // of each key's cache
   std::size_t cycles = 0;               // that hs_motion_compensate takes where nothing makes it wait
 };
@@ -60,21 +67,30 @@ class KernelUpConverter {
   KernelFrameBetween at(const ref::Scene& between, double a);
   // What its compensation was last given.
   const CompensationInput& input() const { return input_; }
+  // What its field was last drawn of.
+  const ref::SnappedList& list() const { return list_; }
 
  private:
   // Of the kernels, a face of the scene a pixel.
   ref::DrawnFrame drawn(ref::Geometry&);
   ref::View view(int scale) const;
-  std::vector<RawMotion> field(const ref::Scene& between, double a);
+  // Of the instances that are not `still`, as far as the S-buffer does not hide them; of all if there are none.
+  std::vector<RawMotion> field(const ref::Scene& between, double a, const std::vector<bool>& still);
+  void drop_hidden(const ref::Scene& between, const std::vector<std::uint32_t>& face, std::vector<RawMotion>& words);
+
+  // What the S-buffer shows, where no word is; how many pixels show an object.
+  std::uint64_t show_static(ref::Colours& colour) const;
 
   const KernelUpConversion mode_;
   const Config motion_;
   std::unique_ptr<Engine> colour_engine_, motion_engine_;
   Compensator compensator_;
+  StaticBuffer static_buffer_;
   std::array<std::optional<ref::Scene>, 2> scenes_;
   std::array<KeyFrame, 2> keys_;
   std::array<ref::Colours, 2> key_colours_;
   CompensationInput input_;
+  ref::SnappedList list_;
 };
 
 }  // namespace halfspace::vectors

@@ -2,7 +2,7 @@
 """What is measured: hs_pipeline as Yosys elaborates it for a package and a number of lanes, taken apart.
 
 The parts are the units, and `composition`: all that hs_pipeline adds to them (queues, frame control, the multiplexers
-of the I-buffer). Each part is a flat module in RTLIL in which nothing is left of a file's place, of its line numbers, or
+of the I-buffer). hs_ztest_merge, which stands beside it, is one where pixels know their objects. Each part is a flat module in RTLIL in which nothing is left of a file's place, of its line numbers, or
 of the numbers that Yosys counts up: so a part has the same text whenever it is the same hardware.
 """
 
@@ -15,10 +15,10 @@ from rtlil import TOP, canonical, memories, module, ports
 from tools import AreaError, run, say
 
 UNITS = ("triangle_setup", "light_vertex", "shade_setup", "phong_setup", "raster_pineda", "ztest_index", "ztest_plane", "scan_index",
-         "shade_gouraud", "shade_phong")
+         "shade_gouraud", "shade_phong", "scan_object", "ztest_merge")
 COMPOSITION = "composition"
 # Memories of the frame, which an FPGA may hold elsewhere: they are counted in bits, not mapped.
-BUFFERS = ("depth_buffer", "visibility_database", "index_buffer", "shading_database")
+BUFFERS = ("depth_buffer", "visibility_database", "index_buffer", "shading_database", "object_table")
 LANES = {1: (1, 1), 2: (2, 1), 4: (2, 2), 8: (4, 2), 16: (4, 4)}
 
 
@@ -83,9 +83,9 @@ def constants(text):
 def in_pipeline(unit, text):
     """Whether the pipeline of the package has the unit."""
     found = constants(text)
-    lights, phong, gamma = found.get("Lights", 0), found.get("Phong", 0), found["HasDepth"] and not found["StoresDepth"]
+    objects, lights, phong, gamma = found.get("HasObjects", 0), found.get("Lights", 0), found.get("Phong", 0), found["HasDepth"] and not found["StoresDepth"]
     return {"ztest_index": not gamma, "ztest_plane": gamma, "light_vertex": lights and not phong, "phong_setup": phong, "shade_phong": phong,
-            "shade_setup": not phong, "shade_gouraud": not phong}.get(unit, True)
+            "shade_setup": not phong, "shade_gouraud": not phong, "scan_object": objects, "ztest_merge": objects}.get(unit, True)
 
 
 def values(text, unit):

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "ref/static_instances.hpp"
+#include "ref/geometry.hpp"
+#include "vectors/fit.hpp"
+
+namespace halfspace::vectors {
+namespace {
+
+ref::Scene only(const ref::Scene& scene, const std::vector<bool>& left_out) {
+  ref::Scene result = scene;
+  result.instances.clear();
+  for (std::size_t n = 0; n < scene.instances.size(); ++n) {
+    if (!left_out[n]) result.instances.push_back(scene.instances[n]);
+  }
+  return result;
+}
+
+}  // namespace
+
+FitObjects choose_objects(Config& c, const FitScene& scene, const std::function<std::uint64_t(const FitScene&, const Config&)>& cycles_of) {
+  FitObjects found;
+  const auto none = [&](std::string why) {
+    found.why = std::move(why);
+    return found;
+  };
+  if (!has_depth(c)) return none("no depth is compared");
+  if (scene.scenes.size() < 2) return none("one frame has no motion");
+  found.objects = scene.scenes.front()->instances.size();
+  const double aspect = double(scene.width) / scene.height;
+  FitScene moving = scene;
+  moving.frames.clear();
+  // Depths of two frames compare if they are of the same planes.
+  std::vector<const ref::Scene*> times;
+  for (const auto& time : scene.scenes) times.push_back(time.get());
+  const ref::DepthPlanes planes = ref::held_planes(times, aspect);
+  const auto held = [&](std::size_t k) {
+    ref::Scene result = *times[k];
+    result.depth_planes = planes;
+    return result;
+  };
+  ref::Scene before = held(0);
+  for (std::size_t k = 1; k < times.size(); ++k) {
+    const ref::Scene now = held(k);
+    const std::vector<bool> stands = ref::same_instances(before, now, aspect);
+    const std::size_t standing = std::size_t(std::count(stands.begin(), stands.end(), true));
+    found.standing = k == 1 ? standing : std::min(found.standing, standing);
+    found.moving = std::max(found.moving, stands.size() - standing);
+    moving.frames.push_back([part = only(now, stands)](const ref::View& view) { return ref::project(part, view); });
+    before = now;
+  }
+  if (found.moving == 0) return none("nothing moves");
+  if (found.standing == 0) return none("in some frame nothing stands still, or the viewpoint or a light moves");
+  Config numbered = c;
+  numbered.object_bits = bits_for(int(found.objects));
+  if (const Refusal reason = refusal(numbered); reason != Refusal::kNone) return none("refused: " + refusal_text(reason));
+  found.cycles_all = cycles_of(scene, c), found.cycles_moving = cycles_of(moving, numbered);
+  if (found.cycles_moving >= found.cycles_all) {
+    return none(fmt::format("what moves takes {} cycles a frame, no fewer than all of it", found.cycles_moving));
+  }
+  c = numbered;
+  return none(fmt::format("what moves, {} of {} objects at most, takes {} cycles a frame, all of it {}", found.moving, found.objects,
+                          found.cycles_moving, found.cycles_all));
+}
+
+}  // namespace halfspace::vectors
