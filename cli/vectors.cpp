@@ -11,8 +11,8 @@
 #include "vectors/engine.hpp"
 #include "vectors/extremes.hpp"
 #include "vectors/frame_lighting.hpp"
-#include "vectors/merge_frames.hpp"
 #include "vectors/standard_set.hpp"
+#include "vectors/static_sequence.hpp"
 #include "vectors/up_convert.hpp"
 #include "vectors/vector_set.hpp"
 
@@ -26,6 +26,8 @@ struct Options {
   std::uint64_t seed = 1;
   bool corners = true, compensation = false;
   int random = 4, random_triangles = 60;
+  int frames = 20, buffers = 1, objects = 8;
+  bool query = true;
 };
 
 // Normals of all kinds for the frames that there are; before them, frames for the normals.
@@ -67,31 +69,59 @@ vectors::NamedCompensation compensation_of(const Options& options, const vectors
   return {options.input.scene, in.width, in.height, {*in.key[0], *in.key[1]}, in.motion, in.weight};
 }
 
+vectors::VectorSetOptions set_of(const Options& options, const vectors::Configuration& configuration) {
+  vectors::VectorSetOptions set;
+  set.scene = options.input.scene;
+  set.configuration = configuration;
+  set.lanes = options.lanes ? options.lanes : configuration.config().lanes;
+  set.seed = options.seed;
+  set.window = options.input.window;
+  return set;
+}
+
+void write_compensation(const Options& options, const vectors::Configuration& configuration) {
+  vectors::VectorSetOptions set = set_of(options, configuration);
+  set.window = 0;
+  Progress progress("vectors " + set.scene);
+  tell(options, configuration,
+       vectors::write_compensation_set(options.out, set,
+                                       options.compensation ? std::vector<vectors::NamedCompensation>{compensation_of(options, configuration)}
+                                                            : vectors::compensation_frames(configuration.config(), options.seed),
+                                       [&](std::size_t done, std::size_t total) { progress.tell(done, total); }));
+}
+
+void write_merge(const Options& options, const vectors::Configuration& configuration) {
+  vectors::VectorSetOptions set = set_of(options, configuration);
+  set.window = 0;
+  vectors::Merger(configuration, set.lanes);  // refuses a configuration without objects
+  Progress progress("vectors merge");
+  tell(options, configuration, vectors::write_merge_set(options.out, set, vectors::merge_frames(configuration.config(), options.seed),
+                                                        [&](std::size_t done, std::size_t total) { progress.tell(done, total); }));
+}
+
+// Two sets: the passes of a sequence at the ports of hs_pipeline, and the runs of ztest_merge.
+void write_static(const Options& options, const vectors::Configuration& configuration) {
+  vectors::VectorSetOptions set = set_of(options, configuration);
+  set.ports = true;
+  const FrameSize size = parse_size(options.input.size.empty() ? "20x16" : options.input.size);
+  const vectors::StaticSequence sequence = vectors::static_sequence(
+      {configuration, set.lanes, size.width, size.height, options.buffers, options.query, set.window}, options.objects, options.frames, options.seed);
+  Progress progress("vectors static");
+  const auto told = [&](std::size_t done, std::size_t total) { progress.tell(done, total); };
+  Options part = options;
+  part.out = options.out + "/pipeline";
+  tell(part, configuration, vectors::write_vector_set(part.out, set, sequence.passes, told));
+  part.out = options.out + "/merge", part.json.clear();
+  set.window = 0;
+  tell(part, configuration, vectors::write_merge_set(part.out, set, sequence.runs, told));
+}
+
 void write_vectors(const Options& options) {
   std::vector<vectors::NamedFrame> frames;
   vectors::Configuration configuration = vectors::find_configuration(options.input.config.empty() ? "middle" : options.input.config);
-  const bool merge = options.input.scene == "merge";
-  if (merge || options.input.scene == "compensation" || options.compensation) {
-    vectors::VectorSetOptions set;
-    set.scene = options.input.scene;
-    set.configuration = configuration;
-    set.lanes = options.lanes ? options.lanes : configuration.config().lanes;
-    set.seed = options.seed;
-    Progress progress("vectors " + set.scene);
-    const auto told = [&](std::size_t done, std::size_t total) { progress.tell(done, total); };
-    const Config config = configuration.config();
-    if (merge) {
-      vectors::Merger(configuration, set.lanes);  // refuses one without objects
-      tell(options, configuration, vectors::write_merge_set(options.out, set, vectors::merge_frames(config, options.seed), told));
-      return;
-    }
-    tell(options, configuration,
-         vectors::write_compensation_set(options.out, set,
-                                         options.compensation ? std::vector<vectors::NamedCompensation>{compensation_of(options, configuration)}
-                                                              : vectors::compensation_frames(config, options.seed),
-                                         told));
-    return;
-  }
+  if (options.input.scene == "merge") return write_merge(options, configuration);
+  if (options.input.scene == "static") return write_static(options, configuration);
+  if (options.input.scene == "compensation" || options.compensation) return write_compensation(options, configuration);
   const bool standard = options.input.scene == "standard", largest = options.input.scene == "largest";
   const bool corners = standard || (options.corners && !largest);
   if (!standard && !largest) {
@@ -129,12 +159,8 @@ void write_vectors(const Options& options) {
     }
   }
 
-  vectors::VectorSetOptions set;
-  set.scene = options.input.scene;
-  set.configuration = configuration;
-  set.lanes = options.lanes ? options.lanes : configuration.config().lanes;
-  set.seed = corners ? options.seed : 0;
-  set.window = options.input.window;
+  vectors::VectorSetOptions set = set_of(options, configuration);
+  if (!corners) set.seed = 0;
   Progress progress("vectors " + set.scene);
   const std::string manifest = vectors::write_vector_set(
       options.out, set, frames, [&](std::size_t done, std::size_t total) { progress.tell(done, total); });
@@ -149,8 +175,9 @@ void add_vectors(CLI::App& app, int&) {
   command->footer(
       "Annotated corner cases come first, then random frames, then the frame of SCENE; `standard` as SCENE stands\n"
       "for the first two alone, `largest` for the largest frame and the last index, `compensation` for the unit of that\n"
-      "name in a configuration with motion, `merge` for the one that merges buffers in a configuration with objects. Each\n"
-      "stream is a text file that $readmemh reads; manifest.json tells the fields.\n");
+      "name in a configuration with motion, `merge` for the one that merges buffers in a configuration with objects. `static`\n"
+      "writes two sets, OUT/pipeline and OUT/merge: a random sequence of the static objects buffer, of 20x16 pixels if no size is\n"
+      "given. Each stream is a text file that $readmemh reads; manifest.json tells the fields.\n");
   add_scene_options(command, options->input);
   command->add_option("--lanes", options->lanes, "pixels a stamp: 1, 2, 4, 8, 16; default: the configuration's");
   command->add_option("--out", options->out, "folder to write")->required();
@@ -163,6 +190,10 @@ void add_vectors(CLI::App& app, int&) {
   command->add_option("--window", options->input.window, "use indices of invisible triangles again: a triangle takes that of the one so many before it")
       ->check(CLI::NonNegativeNumber);
   command->add_flag("--compensation", options->compensation, "the streams of motion_compensate, for a frame of SCENE between the keys of --interval");
+  command->add_option("--frames", options->frames, "of `static`")->capture_default_str()->check(CLI::PositiveNumber);
+  command->add_option("--objects", options->objects, "of `static`, and one more")->capture_default_str()->check(CLI::Range(1, 16));
+  command->add_option("--buffers", options->buffers, "of `static`: S-buffers")->capture_default_str()->check(CLI::PositiveNumber);
+  command->add_flag("--query,!--no-query", options->query, "of `static`: an S-buffer is asked before it is changed");
   command->add_option("--json", options->json, "file for a copy of the manifest");
   command->callback([options] { write_vectors(*options); });
 }

@@ -26,6 +26,11 @@ class IndexPool {
  public:
   explicit IndexPool(const IndexReuse& rule) : rule_(rule) {}
 
+  // Whether there is one for the next triangle.
+  bool has_one() const {
+    const bool again = rule_.window != 0 && in_flight_.size() == rule_.window && !in_flight_.front().second;
+    return again || used_ != rule_.largest;
+  }
   std::uint32_t take() {
     std::uint32_t index = 0;
     if (rule_.window != 0 && in_flight_.size() == rule_.window) {

@@ -17,6 +17,14 @@ unsigned outside(const glm::dvec4& clip, const std::vector<ClipPlane>& planes) {
 
 }  // namespace
 
+Box pixel_box(const SnappedTriangle& t, int subpixel_bits, int width, int height) {
+  const int f = subpixel_bits, half = 1 << (f - 1);
+  const auto [x0, x1] = std::minmax({t.x[0], t.x[1], t.x[2]});
+  const auto [y0, y1] = std::minmax({t.y[0], t.y[1], t.y[2]});
+  return Box{(x0 + half - 1) >> f, (y0 + half - 1) >> f, ((x1 - half) >> f) + 1, ((y1 - half) >> f) + 1}.cut(
+      {0, 0, width, height});
+}
+
 ObjectRaster::ObjectRaster(const Scene& scene, const RasterFormat& format, int width, int height)
     : scene_(scene),
       view_{width, height, format.range_bits, format.subpixel_bits},
@@ -56,14 +64,6 @@ void ObjectRaster::transform(const Instance& instance, const Mesh& mesh) {
   corners_.clear();
   for (const glm::dvec3& position : mesh.positions)
     corners_.push_back(corner(clip_position(viewpoint_, view_, instance.to_world, position)));
-}
-
-Box ObjectRaster::pixel_box(const SnappedTriangle& t) const {
-  const int f = view_.subpixel_bits, half = 1 << (f - 1);
-  const auto [x0, x1] = std::minmax({t.x[0], t.x[1], t.x[2]});
-  const auto [y0, y1] = std::minmax({t.y[0], t.y[1], t.y[2]});
-  return Box{(x0 + half - 1) >> f, (y0 + half - 1) >> f, ((x1 - half) >> f) + 1, ((y1 - half) >> f) + 1}.cut(
-      {0, 0, view_.width, view_.height});
 }
 
 Drawn ObjectRaster::draw(std::uint32_t instance, ObjectBuffer& buffer, const Box& region) {

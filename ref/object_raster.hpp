@@ -29,6 +29,9 @@ struct Drawn {
   std::uint64_t triangles = 0;  // handed to the rasterizer, those without a pixel centre too
 };
 
+// The pixels of the frame whose centres lie in the box of a triangle: it covers no others.
+Box pixel_box(const SnappedTriangle&, int subpixel_bits, int width, int height);
+
 class ObjectRaster {
  public:
   // Of `format` positions and depths count. The scene outlives it; its instances may move.
@@ -76,8 +79,6 @@ class ObjectRaster {
       if (span.first <= span.last) visit(row, span);
     }
   }
-  // The pixels whose centres lie in the box of a triangle.
-  Box pixel_box(const SnappedTriangle&) const;
 
   const Scene& scene_;
   const View view_;
@@ -122,7 +123,7 @@ Drawn ObjectRaster::fragments(std::uint32_t instance, const Box& region, Visit&&
   Drawn drawn;
   triangles(instance, [&](const SnappedTriangle& snapped, std::uint32_t number) {
     ++drawn.triangles;
-    const Box box = pixel_box(snapped);
+    const Box box = pixel_box(snapped, view_.subpixel_bits, view_.width, view_.height);
     if (box.empty()) return;
     drawn.box.add(box);
     if (!box.meets(region)) return;

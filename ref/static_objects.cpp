@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ref/static_objects.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-
-#include "ref/error.hpp"
 
 namespace halfspace::ref {
 namespace {
@@ -18,18 +14,13 @@ StaticObjects::StaticObjects(const Scene& scene, const RasterFormat& format, int
                              const StaticOptions& options)
     : scene_(scene),
       options_(options),
+      states_(scene, double(width) / height, options.buffers, options.object_bits),
       raster_(scene, format, width, height),
       shader_(scene, format, raster_.view()),
-      static_(std::size_t(std::max(options.buffers, 0)), ObjectBuffer(width, height, full_depth(format.depth_bits))),
+      static_(std::size_t(options.buffers), ObjectBuffer(width, height, full_depth(format.depth_bits))),
       still_(width, height, full_depth(format.depth_bits)),
       dynamic_(still_),
       picture_(still_) {
-  if (options.buffers < 1) throw Error(fmt::format("{} S-buffers hold no object: take one at least", options.buffers));
-  if (scene.instances.size() >= std::uint64_t(1) << options.object_bits) {
-    throw Error(fmt::format("{}: {} objects, and {} bits number {}: take more bits", scene.name, scene.instances.size(),
-                            options.object_bits, (std::uint64_t(1) << options.object_bits) - 1));
-  }
-  for (const Instance& instance : scene.instances) objects_.push_back({instance.to_world, {}});
   compose(still_.frame());
 }
 
@@ -40,8 +31,8 @@ const FrameWork& StaticObjects::draw(const DrawSink& sink) {
   find_states();
 
   std::vector<std::vector<Box>> holes(static_.size());
-  for (std::uint32_t n = 0; n < objects_.size(); ++n) {
-    if (objects_[n].is_static && objects_[n].state == ObjectState::kSD) leave(n, holes[buffer_of(n)]);
+  for (std::uint32_t n = 0; n < states_.objects(); ++n) {
+    if (states_.has_to_leave(n)) leave(n, holes[buffer_of(n)]);
   }
   std::vector<bool> drawn_into(static_.size(), false);
   for (std::size_t k = 0; k < static_.size(); ++k) {
@@ -52,15 +43,13 @@ const FrameWork& StaticObjects::draw(const DrawSink& sink) {
 
   dynamic_.clear(moving_box_.cut(dynamic_.frame()));
   moving_box_ = {};
-  for (std::uint32_t n = 0; n < objects_.size(); ++n) {
-    Object& object = objects_[n];
-    if (object.state == ObjectState::kSS) continue;
-    const bool stops = object.state == ObjectState::kDS;
+  for (std::uint32_t n = 0; n < states_.objects(); ++n) {
+    if (state(n) == ObjectState::kSS) continue;
+    const bool stops = state(n) == ObjectState::kDS;
     if (sink) sink(n);
     const Drawn drawn = raster_.draw(n, stops ? static_[buffer_of(n)] : dynamic_, dynamic_.frame());
     work_.triangles += drawn.triangles;
-    object.is_static = stops;
-    object.box = drawn.box;
+    if (stops) states_.stay(n, drawn.box);
     ++(stops ? work_.added : work_.moving);
     if (stops) drawn_into[std::size_t(buffer_of(n))] = true;
     (stops ? changed_ : moving_box_).add(drawn.box);
@@ -72,63 +61,45 @@ const FrameWork& StaticObjects::draw(const DrawSink& sink) {
 }
 
 void StaticObjects::find_states() {
-  if (scene_.instances.size() != objects_.size()) {
-    throw Error(fmt::format("{}: {} objects in a frame and {} in the first: begin anew where objects come or go",
-                            scene_.name, scene_.instances.size(), objects_.size()));
-  }
-  const Viewpoint from = viewpoint(scene_, double(still_.width()) / still_.height());
-  work_.new_view = anew_ || from != raster_.viewpoint();
-  anew_ = false;
+  states_.step();
+  work_.new_view = states_.new_view();
   if (work_.new_view) {
-    raster_.look_from(from);
-    shader_.look_from(from);
+    raster_.look_from(states_.viewpoint());
+    shader_.look_from(states_.viewpoint());
     for (ObjectBuffer& buffer : static_) buffer.clear(buffer.frame());
-    for (Object& object : objects_) object.is_static = false;
     changed_ = still_.frame();
+    return;
   }
-  for (std::uint32_t n = 0; n < objects_.size(); ++n) {
-    Object& object = objects_[n];
-    const bool before = object.state == ObjectState::kDD || object.state == ObjectState::kSD;
-    object.state = object_state(before, work_.new_view || object.to_world != scene_.instances[n].to_world);
-    object.to_world = scene_.instances[n].to_world;
-    work_.started += !work_.new_view && object.state == ObjectState::kSD;
-  }
+  for (std::uint32_t n = 0; n < states_.objects(); ++n) work_.started += state(n) == ObjectState::kSD;
 }
 
 // Takes an object that starts to move out of its S-buffer. Pixels that have to be drawn again are put into `holes`.
 void StaticObjects::leave(std::uint32_t n, std::vector<Box>& holes) {
-  Object& object = objects_[n];
-  object.is_static = false;
+  states_.leave(n);
+  const Box& covered = states_.box(n);
   ObjectBuffer& buffer = static_[buffer_of(n)];
   if (options_.query) {
     ++work_.queries;
-    work_.searched += object.box.pixels();
-    if (options_.query(buffer, n + 1, object.box) == 0) {
+    work_.searched += covered.pixels();
+    if (options_.query(buffer, n + 1, covered) == 0) {
       ++work_.skipped;
       return;
     }
   }
-  work_.searched += object.box.pixels();
-  const Box erased = buffer.erase(n + 1, object.box);
-  const Box hole = options_.query ? erased : object.box;
+  work_.searched += covered.pixels();
+  const Box erased = buffer.erase(n + 1, covered);
+  const Box hole = options_.query ? erased : covered;
   if (!hole.empty()) holes.push_back(hole);
 }
 
 // Draws again what overlaps the holes of S-buffer k, an object once.
 void StaticObjects::fill(int k, const std::vector<Box>& holes, const DrawSink& sink) {
-  if (holes.empty()) return;
   for (const Box& hole : holes) changed_.add(hole);
-  for (std::uint32_t n = std::uint32_t(k); n < objects_.size(); n += std::uint32_t(static_.size())) {
-    if (!objects_[n].is_static) continue;
-    Box region;
-    for (const Box& hole : holes) {
-      if (hole.meets(objects_[n].box)) region.add(hole.cut(objects_[n].box));
-    }
-    if (region.empty()) continue;
+  states_.over(k, holes, [&](std::uint32_t n, const Box& region) {
     if (sink) sink(n);
     work_.triangles += raster_.draw(n, static_[k], region).triangles;
     ++work_.redrawn;
-  }
+  });
 }
 
 // The S-buffers merged. What shows the same triangle as before keeps its colour: an object that has moved in between

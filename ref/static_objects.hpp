@@ -11,16 +11,10 @@
 #include "ref/object_buffer.hpp"
 #include "ref/object_raster.hpp"
 #include "ref/object_shader.hpp"
+#include "ref/object_states.hpp"
 #include "ref/scene.hpp"
 
 namespace halfspace::ref {
-
-// Static or dynamic in the previous frame, and in this one. Dynamic is what has another matrix than a frame before.
-enum class ObjectState : std::uint8_t { kSS, kSD, kDS, kDD };
-constexpr ObjectState object_state(bool dynamic_before, bool dynamic_now) {
-  return dynamic_before ? (dynamic_now ? ObjectState::kDD : ObjectState::kDS)
-                        : (dynamic_now ? ObjectState::kSD : ObjectState::kSS);
-}
 
 // How many pixels of an S-buffer show an object; all of them are in the box.
 using OcclusionQuery = std::function<std::uint64_t(const ObjectBuffer& buffer, std::uint32_t object, const Box& box)>;
@@ -61,23 +55,17 @@ class StaticObjects {
   // The scene as it stands now, from where it is looked at now.
   const FrameWork& draw(const DrawSink& sink = {});
   // Other lights, materials or meshes: the next frame begins as after a movement of the viewpoint.
-  void start_anew() { anew_ = true; }
+  void start_anew() { states_.start_anew(); }
 
   const ObjectBuffer& picture() const { return picture_; }
-  ObjectState state(std::uint32_t instance) const { return objects_[instance].state; }
+  ObjectState state(std::uint32_t instance) const { return states_.state(instance); }
   const ObjectBuffer& static_buffer(int k) const { return static_[k]; }
-  int buffers() const { return int(static_.size()); }
-  int buffer_of(std::uint32_t instance) const { return int(instance % static_.size()); }
-  bool is_static(std::uint32_t instance) const { return objects_[instance].is_static; }
+  int buffers() const { return states_.buffers(); }
+  int buffer_of(std::uint32_t instance) const { return states_.buffer_of(instance); }
+  bool is_static(std::uint32_t instance) const { return states_.is_static(instance); }
   ObjectRaster& raster() { return raster_; }
 
  private:
-  struct Object {
-    glm::dmat4 to_world;
-    Box box;                 // of what it covers where it stands; of a static one
-    ObjectState state = ObjectState::kDD;
-    bool is_static = false;  // it is one of those that its S-buffer shows, or would show if they were not hidden
-  };
   void find_states();
   void leave(std::uint32_t instance, std::vector<Box>& holes);
   void fill(int k, const std::vector<Box>& holes, const DrawSink&);
@@ -86,15 +74,14 @@ class StaticObjects {
 
   const Scene& scene_;
   const StaticOptions options_;
+  ObjectStates states_;
   ObjectRaster raster_;
   ObjectShader shader_;
-  std::vector<Object> objects_;
   std::vector<ObjectBuffer> static_;
   ObjectBuffer still_;    // all S-buffers merged, with colours
   ObjectBuffer dynamic_;  // the D-buffer
   ObjectBuffer picture_;
   Box changed_, moving_box_;  // of the S-buffers in this frame; of the D-buffer
-  bool anew_ = false;
   FrameWork work_;
 };
 

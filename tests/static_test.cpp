@@ -5,15 +5,14 @@
 
 #include <cstdio>
 #include <glm/gtc/matrix_transform.hpp>
-#include <random>
 
 #include "ref/crowd.hpp"
 #include "ref/error.hpp"
 #include "ref/geometry.hpp"
-#include "ref/mesh_builder.hpp"
 #include "ref/raster.hpp"
 #include "ref/static_objects.hpp"
 #include "vectors/cycles.hpp"
+#include "vectors/moving_scene.hpp"
 
 namespace halfspace::ref {
 namespace {
@@ -23,74 +22,9 @@ constexpr int kWidth = 40, kHeight = 30, kObjects = 16;
 RasterFormat format_of(int depth_bits) { return {"static", kWidth, kHeight, 4096, 7, 6, depth_bits}; }
 View view_of(const RasterFormat& format) { return {kWidth, kHeight, format.range_bits, format.subpixel_bits}; }
 
-// Quads that face the viewer and meet at equal depths, from both sides or one; solids; something smaller than a
-// pixel. Each has its own colours, so that no two objects look alike.
-Scene small_scene() {
-  Scene scene;
-  scene.name = "small";
-  Material plain, two_sided;
-  two_sided.two_sided = true;
-  scene.materials = {plain, two_sided};
-  for (int n = 0; n < kObjects; ++n) {
-    MeshBuilder builder;
-    const auto colour = [&](int i) { builder.colour = {0.2 + 0.05 * n, 0.9 - 0.05 * n, 0.3 * i}; };
-    colour(0);
-    const double r = 0.25 + 0.02 * n;
-    if (n % 4 < 2) {
-      builder.polygon({{-r, -r, 0}, {r, -r, 0}, {r, r, 0}, {-r, r, 0}});
-      colour(1);
-      builder.polygon({{-r, 0, 0}, {2 * r, 0, 0}, {r, r, 0}});  // in the same plane
-    } else if (n % 4 == 2) {
-      builder.block({-r, -r, -r}, {2 * r, 0, 0}, {0, 2 * r, 0}, {0, 0, 2 * r});
-    } else {
-      builder.ellipsoid({0, 0, 0}, glm::dvec3(n == 3 ? 0.01 : r), 5, 4);
-    }
-    scene.meshes.push_back(std::move(builder).mesh("part"));
-    scene.meshes.back().material = n % 4 == 1;
-    scene.instances.push_back({n, glm::dmat4(1)});
-  }
-  // Always there, so that a frame is never without a triangle.
-  MeshBuilder corner;
-  corner.polygon({{-4, -4, -3}, {-3.5, -4, -3}, {-4, -3.5, -3}});
-  scene.meshes.push_back(std::move(corner).mesh("corner"));
-  scene.instances.push_back({kObjects, glm::dmat4(1)});
-  Camera camera;
-  camera.position = {0, 0, 4};
-  camera.half_height = 0.4;
-  scene.camera = camera;
-  scene.depth_planes = DepthPlanes{1.5, 9};
-  return scene;
-}
-
-// Chooses who moves, and where to: few places, so that objects meet and come back.
-class Motion {
- public:
-  explicit Motion(std::uint64_t seed) : random_(seed) {}
-  int below(int n) { return int(random_() % std::uint64_t(n)); }
-
-  glm::dmat4 place() {
-    constexpr double kDepths[] = {0, 0, 0.5, 0.5, -1, 2.2, 2.6};  // the last two reach through the near plane
-    glm::dmat4 m =
-        glm::translate(glm::dmat4(1), glm::dvec3(0.3 * below(7) - 0.9, 0.3 * below(5) - 0.6, kDepths[below(7)]));
-    if (below(4) == 0) m = glm::rotate(m, 0.6 * below(10), glm::dvec3(0.3, 1, 0.2));
-    if (below(6) == 0) m = glm::scale(m, glm::dvec3(-1, 1, 1));
-    if (below(9) == 0) m = glm::scale(m, glm::dvec3(6));
-    return m;
-  }
-
-  void step(Scene& scene) {
-    for (int n = 0; n < kObjects; ++n) {
-      if (moving_[n] ? below(4) == 0 : below(12) == 0) moving_[n] = !moving_[n];
-      if (!moving_[n]) continue;
-      const glm::dmat4 before = scene.instances[n].to_world;
-      if (below(5) == 0 && n > 0) scene.instances[n].to_world = scene.instances[below(n)].to_world;  // a tie
-      while (scene.instances[n].to_world == before) scene.instances[n].to_world = place();
-    }
-  }
-
- private:
-  std::mt19937_64 random_;
-  bool moving_[kObjects] = {};
+Scene small_scene() { return vectors::moving_scene(kObjects); }
+struct Motion : vectors::SceneMotion {
+  explicit Motion(std::uint64_t seed) : SceneMotion(seed, kObjects) {}
 };
 
 // Pixels at which the picture is not what the renderer draws, by face, depth or colour.
@@ -146,15 +80,6 @@ StaticOptions options_of(int buffers, OcclusionQuery query) {
   return options;
 }
 
-// Moves the viewer now and then for some frames, and dims the light.
-void move_viewer(Scene& scene, Motion& motion, int frame, int& view_until) {
-  if (motion.below(50) == 0) view_until = frame + 1 + motion.below(4);
-  if (frame < view_until) {
-    scene.camera->position = {0.2 * motion.below(5) - 0.4, 0.1 * motion.below(5), 4 + 0.3 * motion.below(3)};
-    if (motion.below(3) == 0) scene.depth_planes->far = 9 + motion.below(3);
-  }
-}
-
 // --- pictures ---
 
 struct Case {
@@ -170,17 +95,15 @@ TEST(StaticObjects, EachFrameIsThatOfDrawingEverything) {
     const RasterFormat format = format_of(depth_bits);
     Scene scene = small_scene();
     Motion motion(7 + std::uint64_t(depth_bits));
-    for (int n = 0; n < kObjects; ++n) scene.instances[n].to_world = motion.place();
+    motion.begin(scene);
     std::vector<StaticObjects> ours;
     for (const Case& c : kCases)
       ours.emplace_back(scene, format, kWidth, kHeight,
                         options_of(c.buffers, c.query ? visible_pixels : OcclusionQuery()));
-    int view_until = 0;
     for (int frame = 0; frame < kFrames / 2; ++frame) {
       motion.step(scene);
-      move_viewer(scene, motion, frame, view_until);
-      const bool dimmed = motion.below(100) == 0;
-      if (dimmed) scene.ambient = glm::dvec3(0.05 * (1 + motion.below(10)));
+      motion.move_viewer(scene);
+      const bool dimmed = motion.dim(scene);
       const Everything all = draw_everything(scene, format);
       for (std::size_t i = 0; i < ours.size(); ++i) {
         if (dimmed) ours[i].start_anew();
@@ -222,7 +145,7 @@ TEST(StaticObjects, QuerySkipsWhatIsNotNeededAndNothingElse) {
   for (const int buffers : {1, 3}) {
     Scene scene = small_scene();
     Motion motion(99);
-    for (int n = 0; n < kObjects; ++n) scene.instances[n].to_world = motion.place();
+    motion.begin(scene);
     std::vector<std::pair<std::uint32_t, bool>> answers;  // object, skipped
     const OcclusionQuery query = [&](const ObjectBuffer& buffer, std::uint32_t object, const Box& box) {
       const std::uint64_t count = buffer.count(object, box);
@@ -264,7 +187,7 @@ int wrong_frames(int buffers, const std::function<OcclusionQuery(const StaticObj
   const RasterFormat format = format_of(24);
   Scene scene = small_scene();
   Motion motion(5);
-  for (int n = 0; n < kObjects; ++n) scene.instances[n].to_world = motion.place();
+  motion.begin(scene);
   const StaticObjects* asked = nullptr;
   StaticObjects ours(scene, format, kWidth, kHeight, options_of(buffers, broken(asked)));
   asked = &ours;
@@ -310,7 +233,7 @@ TEST(StaticObjects, DrawWhatMovesAndNothingElse) {
   const RasterFormat format = format_of(24);
   Scene scene = small_scene();
   Motion motion(1);
-  for (int n = 0; n < kObjects; ++n) scene.instances[n].to_world = motion.place();
+  motion.begin(scene);
   const std::uint64_t all = scene.instances.size();
   StaticObjects ours(scene, format, kWidth, kHeight, options_of(1, visible_pixels));
   scene.instances[2].to_world = motion.place();
@@ -349,7 +272,7 @@ TEST(ObjectBuffer, PassesMergeToTheWhole) {
   Scene scene = small_scene();
   Motion motion(3);
   for (int run = 0; run < 50; ++run) {
-    for (int n = 0; n < kObjects; ++n) scene.instances[n].to_world = motion.place();
+    motion.begin(scene);
     AllObjects all(scene, format, kWidth, kHeight);
     all.draw();
     const int indices = 1 + motion.below(20);

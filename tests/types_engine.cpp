@@ -5,14 +5,19 @@
 #include "hls/configs/low.hpp"
 #include "hls/configs/middle.hpp"
 #include "tests/feature_configs.hpp"
+#include "tests/object_configs.hpp"
 #include "vectors/engine_impl.hpp"
+#include "vectors/merge_impl.hpp"
 
 #if defined(HALFSPACE_TYPES_SYSTEMC)
 #define HS_MAKE_ENGINE make_systemc_engine
+#define HS_MERGE systemc_merge
 #elif defined(HALFSPACE_TYPES_AP)
 #define HS_MAKE_ENGINE make_ap_engine
+#define HS_MERGE ap_merge
 #elif defined(HALFSPACE_TYPES_AC)
 #define HS_MAKE_ENGINE make_ac_engine
+#define HS_MERGE ac_merge
 #endif
 
 namespace halfspace::tests {
@@ -25,6 +30,7 @@ struct OwnMiddle : Middle {};
 struct OwnHigh : High {};
 struct OwnFlatOnly : FlatOnly {};
 struct OwnGamma : Gamma {};
+struct OwnObjects : ObjectsMiddle {};
 
 template <class C>
 std::unique_ptr<vectors::Engine> make() {
@@ -35,12 +41,19 @@ std::unique_ptr<vectors::Engine> make() {
 }  // namespace
 
 std::unique_ptr<vectors::Engine> HS_MAKE_ENGINE(const std::string& config) {
-  return config == Low::config().name        ? make<OwnLow>()
-         : config == Middle::config().name   ? make<OwnMiddle>()
-         : config == High::config().name     ? make<OwnHigh>()
-         : config == FlatOnly::config().name ? make<OwnFlatOnly>()
-         : config == Gamma::config().name    ? make<OwnGamma>()
-                                             : nullptr;
+  return config == Low::config().name             ? make<OwnLow>()
+         : config == Middle::config().name        ? make<OwnMiddle>()
+         : config == High::config().name          ? make<OwnHigh>()
+         : config == FlatOnly::config().name      ? make<OwnFlatOnly>()
+         : config == Gamma::config().name         ? make<OwnGamma>()
+         : config == ObjectsMiddle::config().name ? make<OwnObjects>()
+                                                  : nullptr;
+}
+
+std::vector<vectors::StreamWords> HS_MERGE(const vectors::MergeInput& input) {
+  std::vector<vectors::StreamWords> streams;
+  vectors::merge_run<Formats<OwnObjects, Stamp4>>(input, &streams);
+  return streams;
 }
 
 }  // namespace halfspace::tests

@@ -13,15 +13,20 @@
 
 #include "ref/error.hpp"
 #include "tests/feature_configs.hpp"
+#include "tests/object_configs.hpp"
 #include "tests/types_engine.hpp"
+#include "vectors/merge_frames.hpp"
 #include "vectors/standard_set.hpp"
 
 #if defined(HALFSPACE_TYPES_SYSTEMC)
 #define HS_MAKE_ENGINE make_systemc_engine
+#define HS_MERGE systemc_merge
 #elif defined(HALFSPACE_TYPES_AP)
 #define HS_MAKE_ENGINE make_ap_engine
+#define HS_MERGE ap_merge
 #elif defined(HALFSPACE_TYPES_AC)
 #define HS_MAKE_ENGINE make_ac_engine
+#define HS_MERGE ac_merge
 #endif
 
 namespace halfspace::vectors {
@@ -39,7 +44,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kStreams = 9;
+constexpr int kStreams = 9, kMergeStreams = 5;
 
 std::vector<vectors::NamedFrame> standard_frames(const vectors::Configuration& configuration) {
   const ref::RasterFormat format = vectors::raster_format(configuration);
@@ -78,6 +83,9 @@ int expect_native(const vectors::Configuration& configuration) {
   const auto streams_of = [&](vectors::Engine& engine) {
     Texts texts;
     for (const vectors::NamedFrame& frame : frames) {
+      std::vector<std::uint32_t> objects;
+      for (std::size_t k = 0; has_objects(config) && k < frame.scene.triangles.size(); ++k) objects.push_back(1 + std::uint32_t(k / 3));
+      if (has_objects(config)) engine.number(objects);
       engine.capture(frame.scene, [&](const vectors::Layout& layout, const vectors::Word* words, std::size_t count) {
         for (std::size_t n = 0; n < count; ++n) vectors::append_hex(texts[layout.stream] += ' ', words[n], layout.bits);
       });
@@ -96,6 +104,28 @@ int expect_native(const vectors::Configuration& configuration) {
   return equal;
 }
 
+// Those of ztest_merge, run by run.
+int expect_merge(const vectors::Configuration& configuration) {
+  const vectors::Merger native(configuration, kTypesLanes);
+  std::map<std::string, std::pair<std::size_t, bool>> equal;  // words, and whether they are
+  for (const vectors::NamedMerge& run : vectors::merge_frames(configuration.config(), 1)) {
+    std::vector<vectors::StreamWords> want;
+    native.capture(run.input(), want);
+    const std::vector<vectors::StreamWords> got = HS_MERGE(run.input());
+    for (std::size_t n = 0; n < want.size(); ++n) {
+      auto& [words, same] = equal.emplace(want[n].layout.stream, std::pair(std::size_t(0), true)).first->second;
+      words += want[n].words.size();
+      same = same && got.size() == want.size() && got[n].layout.stream == want[n].layout.stream && got[n].words == want[n].words;
+    }
+  }
+  int count = 0;
+  for (const auto& [stream, result] : equal) {
+    fmt::print("{:6} {:10} {:6} words {}\n", configuration.name(), stream, result.first, result.second ? "equal" : "DIFFERENT");
+    count += result.second && result.first != 0;
+  }
+  return count;
+}
+
 }  // namespace
 }  // namespace halfspace::tests
 
@@ -105,11 +135,14 @@ int main(int argc, char** argv) {
   try {
     int equal = tests::expect_native(vectors::Configuration(FlatOnly::config().name, FlatOnly::config()));
     equal += tests::expect_native(vectors::Configuration(Gamma::config().name, Gamma::config()));
+    const vectors::Configuration objects(ObjectsMiddle::config().name, ObjectsMiddle::config());
+    equal += tests::expect_native(objects);
+    equal += tests::expect_merge(objects);
     for (const vectors::Configuration& configuration : vectors::named_configurations()) {
       equal += tests::expect_manifest(configuration, argv[1], fmt::format("{}/{}", argv[2], configuration.name()));
     }
-    // Type γ has one more.
-    const int streams = tests::kStreams * int(vectors::named_configurations().size() + 2) + 1;
+    // Type γ has one more, and there are those of ztest_merge.
+    const int streams = tests::kStreams * int(vectors::named_configurations().size() + 3) + 1 + tests::kMergeStreams;
     fmt::print("{} of {} streams are equal to the native ones\n", equal, streams);
     return equal == streams ? 0 : 1;
   } catch (const std::exception& error) {

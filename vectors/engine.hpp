@@ -51,6 +51,8 @@ class Engine {
   // Not 0: from now on indices of invisible triangles are used again, by the rule of ref::IndexReuse with this window, and a frame
   // may have more triangles than there are indices. render() throws ref::Error when they are used up.
   virtual void reuse_indices(int window) = 0;
+  // How many of its triangles, from the first on, there are indices for.
+  virtual std::size_t fits(const ref::SnappedList& scene) = 0;
 
   // Renders with the kernels. exact_depth and exact_colour stay empty; of a motion configuration colour too.
   virtual ref::Frame render(const ref::SnappedList& scene) = 0;

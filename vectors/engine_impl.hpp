@@ -59,6 +59,15 @@ class KernelEngine : public Engine {
 
   void reuse_indices(int window) override { window_ = std::uint32_t(window); }
 
+  std::size_t fits(const ref::SnappedList& scene) override {
+    const std::size_t indices = std::size_t(F::kTriangles);
+    if (window_ == 0 || scene.triangles.size() <= indices) return std::min(scene.triangles.size(), indices);
+    const std::size_t drawn = draw(scene, nullptr, false);
+    std::vector<std::array<std::uint8_t, 4>> colour;
+    scan(scene, colour);
+    return drawn;
+  }
+
   ref::Frame render(const ref::SnappedList& scene) override {
     ref::Frame frame;
     frame.width = scene.width;
@@ -214,9 +223,9 @@ class KernelEngine : public Engine {
     return registers;
   }
 
-  // Draws all triangles into the buffers.
-  void draw(const ref::SnappedList& scene, std::vector<bool>* visible) {
-    const bool too_many = window_ == 0 && scene.triangles.size() > std::size_t(F::kTriangles);
+  // Draws all triangles into the buffers; else those that there are indices for. Returns how many.
+  std::size_t draw(const ref::SnappedList& scene, std::vector<bool>* visible, bool all = true) {
+    const bool too_many = all && window_ == 0 && scene.triangles.size() > std::size_t(F::kTriangles);
     if (scene.width > F::kWidth || scene.height > F::kHeight || too_many) {
       throw ref::Error("a frame is larger than the configuration that is to draw it: snap it for that configuration");
     }
@@ -235,6 +244,7 @@ class KernelEngine : public Engine {
     const std::size_t count = scene.triangles.size();
     ref::IndexPool pool({window_, std::uint32_t(F::kTriangles)});
     for (std::size_t k = 0; k < std::max<std::size_t>(count, 1); ++k) {
+      if (!all && k < count && !pool.has_one()) return k;
       Triangle<F> t{};
       t.last = from_raw<Bit>(k + 1 >= count);
       if (k < count) {
@@ -266,6 +276,7 @@ class KernelEngine : public Engine {
       pool.done(std::uint32_t(raw(done.index)), raw(done.visible) != 0);
       if (visible && k < count) (*visible)[k] = raw(done.visible) != 0;
     }
+    return count;
   }
 
   void check_objects(const ref::SnappedList& scene) const {

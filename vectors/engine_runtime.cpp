@@ -34,6 +34,10 @@ class RuntimeEngine : public Engine {
   }
   void number(const std::vector<std::uint32_t>& objects) override { kernels_->number(objects); }
   void reuse_indices(int window) override { kernels_->reuse_indices(window); }
+  std::size_t fits(const ref::SnappedList& scene) override {
+    activate();
+    return kernels_->fits(scene);
+  }
   ref::Frame render(const ref::SnappedList& scene) override {
     activate();
     return kernels_->render(scene);

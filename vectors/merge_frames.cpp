@@ -11,7 +11,10 @@ namespace {
 class Maker {
  public:
   Maker(const Config& config, std::uint64_t seed)
-      : c_(config), most_((1u << config.object_bits) - 1), full_((1u << (config.depth_bits - 1)) * 2 - 1), random_(seed) {}
+      : c_(config),
+        most_((1u << config.object_bits) - 1),
+        full_((1u << (config.depth_bits - 1)) * 2 - 1),
+        random_(seed) {}
 
   int below(int n) { return int(random_() % std::uint64_t(n)); }
   bool one_in(int n) { return below(n) == 0; }
@@ -37,7 +40,8 @@ class Maker {
   std::vector<RawEntry> buffer(const NamedMerge& run, int empty) {
     std::vector<RawEntry> out(std::size_t(run.width) * run.height);
     for (RawEntry& e : out) {
-      e = empty != 0 && one_in(empty) ? RawEntry{full_, 0, run.background} : RawEntry{some_depth(), some_object(), some_colour()};
+      e = empty != 0 && one_in(empty) ? RawEntry{full_, 0, run.background}
+                                      : RawEntry{some_depth(), some_object(), some_colour()};
     }
     return out;
   }
@@ -59,7 +63,7 @@ class Maker {
   }
   NamedMerge erase(const std::string& note, std::uint32_t first, std::uint32_t last) {
     NamedMerge out = run(note, 22, 17);
-    out.first = std::min(first, most_), out.last = std::min(last, most_);
+    out.first = first, out.last = last;
     return out;
   }
   NamedMerge query(const std::string& note, std::uint32_t first, std::uint32_t last) {
@@ -87,7 +91,7 @@ class Maker {
     choose_box(out);
     if (!one_in(4)) out.drawn = buffer(out, 1 + below(4));
     out.sends = !one_in(4);
-    if (!one_in(3)) out.first = std::min(std::uint32_t(below(5)), most_), out.last = some_object();
+    if (!one_in(3)) out.first = std::uint32_t(below(5)), out.last = some_object();
     return out;
   }
 
@@ -98,11 +102,17 @@ class Maker {
 };
 
 void add_keys(Maker& make, std::vector<NamedMerge>& runs) {
-  runs.push_back(make.changed("equal depths, the lesser object is drawn", [&](RawEntry& e) { e.object = std::max(e.object, 2u) - 1; }));
+  runs.push_back(make.changed("equal depths, the lesser object is drawn",
+                              [&](RawEntry& e) { e.object = std::max(e.object, 2u) - 1; }));
   runs.push_back(make.changed("equal keys", [](RawEntry&) {}));
-  runs.push_back(make.changed("equal depths, the greater object is drawn", [&](RawEntry& e) { e.object = std::min(e.object + 1, make.most()); }));
-  runs.push_back(make.changed("nearer by one, of the greatest object", [&](RawEntry& e) { e = {std::max(e.depth, 1u) - 1, make.most(), {}}; }));
-  runs.push_back(make.changed("farther by one, of the least object", [&](RawEntry& e) { e = {std::min(e.depth, make.full() - 1) + 1, 1, {}}; }));
+  runs.push_back(make.changed("equal depths, the greater object is drawn",
+                              [&](RawEntry& e) { e.object = std::min(e.object + 1, make.most()); }));
+  runs.push_back(make.changed("nearer by one, of the greatest object", [&](RawEntry& e) {
+    e = {std::max(e.depth, 1u) - 1, make.most(), {}};
+  }));
+  runs.push_back(make.changed("farther by one, of the least object", [&](RawEntry& e) {
+    e = {std::min(e.depth, make.full() - 1) + 1, 1, {}};
+  }));
   runs.push_back(make.merge("full depth", 20, 13));
   for (auto* buffer : {&runs.back().stored, &runs.back().drawn}) {
     for (RawEntry& e : *buffer) e.depth = make.full();
@@ -138,11 +148,13 @@ void add_ranges(Maker& make, std::vector<NamedMerge>& runs) {
     runs.push_back(run);
   }
   runs.push_back(make.merge("erase and merge", 21, 16));
-  runs.back().first = 1, runs.back().last = std::min(3u, make.most());
-  runs.push_back(make.changed("erase, and merge what is farther", [&](RawEntry& e) { e = {std::min(e.depth, make.full() - 1) + 1, make.most(), {}}; }));
+  runs.back().first = 1, runs.back().last = 3;
+  runs.push_back(make.changed("erase, and merge what is farther", [&](RawEntry& e) {
+    e = {std::min(e.depth, make.full() - 1) + 1, make.most(), {}};
+  }));
   runs.back().first = 1, runs.back().last = make.most();
   runs.push_back(make.merge("merge, and send nothing", 21, 16));
-  runs.back().first = 2, runs.back().last = std::min(5u, make.most());
+  runs.back().first = 2, runs.back().last = 5;
   runs.back().sends = false;
 }
 
@@ -153,7 +165,8 @@ void add_sizes(const Config& config, Maker& make, std::vector<NamedMerge>& runs)
   runs.push_back(make.merge("a column", 1, 37));
   runs.push_back(make.merge("whole stamps", 32, 16));
   runs.push_back(make.merge("a box of one stamp", 31, 27));
-  runs.back().box = {runs.back().width / 2, runs.back().height / 2, runs.back().width / 2 + 1, runs.back().height / 2 + 1};
+  runs.back().box = {runs.back().width / 2, runs.back().height / 2, runs.back().width / 2 + 1,
+                     runs.back().height / 2 + 1};
   runs.push_back(make.merge("the last stamps of the largest frame", config.width, config.height));
   NamedMerge& last = runs.back();
   last.box = {std::max(last.width - 9, 0), std::max(last.height - 7, 0), last.width, last.height};
@@ -177,6 +190,8 @@ std::vector<NamedMerge> merge_frames(const Config& config, std::uint64_t seed) {
   add_sizes(config, make, runs);
   for (int n = 0; n < 24; ++n) runs.push_back(make.any("short", 5));
   for (int n = 0; n < 60; ++n) runs.push_back(make.any("random", 40));
+  for (NamedMerge& run : runs)
+    run.first = std::min(run.first, make.most()), run.last = std::min(run.last, make.most());  // as there are
   return runs;
 }
 

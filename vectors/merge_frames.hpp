@@ -19,7 +19,9 @@ struct NamedMerge {
   std::uint32_t first = 1, last = 0;
   std::array<std::uint8_t, 3> background{};
 
-  MergeInput input() const { return {width, height, box, &stored, drawn.empty() ? nullptr : &drawn, sends, first, last, background}; }
+  MergeInput input() const {
+    return {width, height, box, &stored, drawn.empty() ? nullptr : &drawn, sends, first, last, background};
+  }
 };
 
 std::vector<NamedMerge> merge_frames(const Config& config, std::uint64_t seed);

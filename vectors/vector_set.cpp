@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 #include <openssl/evp.h>
 
+#include <algorithm>
 #include <cstring>
 #include <fstream>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "ref/error.hpp"
 #include "vectors/engine.hpp"
@@ -123,10 +125,11 @@ class HexFile {
   std::vector<std::size_t> frame_words_;
 };
 
-// The files of a set: `capture` gives a frame's words to its sink, `described` the frames' entries in the manifest.
+// The files of a set. `described` are the frames' entries in the manifest; `capture` gives the words of frame n to its sink, and adds to
+// its entry what is known only then.
 std::string write_streams(const std::string& folder, const VectorSetOptions& options, int lanes_x, int lanes_y,
-                          const std::vector<Layout>& layouts, const Json& described,
-                          const std::function<void(std::size_t, const WordSink&)>& capture,
+                          const std::vector<Layout>& layouts, Json described,
+                          const std::function<void(std::size_t n, Json& entry, const WordSink&)>& capture,
                           const std::function<void(std::size_t, std::size_t)>& progress) {
   const Configuration& configuration = options.configuration;
   StagedFolder staged(folder);
@@ -144,7 +147,7 @@ std::string write_streams(const std::string& folder, const VectorSetOptions& opt
       file.comment(fmt::format("frame {}: {}, {}x{}", n, described[n]["note"].get<std::string>(), described[n]["width"].get<int>(),
                                described[n]["height"].get<int>()));
     }
-    capture(n, sink);
+    capture(n, described[n], sink);
     if (progress) progress(n + 1, described.size());
   }
 
@@ -169,20 +172,26 @@ std::string write_streams(const std::string& folder, const VectorSetOptions& opt
 template <class Unit, class Frame, class Describe>
 std::string write_unit_set(const std::string& folder, const VectorSetOptions& options, const Unit& unit, const std::vector<Frame>& frames,
                            const std::function<void(std::size_t, std::size_t)>& progress, Describe describe) {
-  std::vector<std::vector<StreamWords>> captured;  // of each frame
   const auto engine = make_engine(options.configuration, options.lanes);
   Json described = Json::array();
   for (const Frame& frame : frames) {
-    const auto done = unit.capture(frame.input(), captured.emplace_back());
-    Json json = {{"width", frame.width}, {"height", frame.height}, {"background", {0, 0, 0}}, {"triangles", 0}, {"note", frame.note}};
+    described.push_back({{"width", frame.width}, {"height", frame.height}, {"background", {0, 0, 0}}, {"triangles", 0}, {"note", frame.note}});
+  }
+  const auto capture = [&](std::size_t n, Json& json, const WordSink& sink) {
+    std::vector<StreamWords> streams;
+    const auto done = unit.capture(frames[n].input(), streams);
+    for (const StreamWords& stream : streams) sink(stream.layout, stream.words.data(), stream.words.size());
     describe(json, done);
     json["cycles"] = done.cycles;
-    described.push_back(json);
-  }
-  const auto capture = [&](std::size_t n, const WordSink& sink) {
-    for (const StreamWords& stream : captured[n]) sink(stream.layout, stream.words.data(), stream.words.size());
   };
-  return write_streams(folder, options, engine->lanes_x(), engine->lanes_y(), unit.layouts(), described, capture, progress);
+  return write_streams(folder, options, engine->lanes_x(), engine->lanes_y(), unit.layouts(), std::move(described), capture, progress);
+}
+
+// Whether a stream comes or goes at a port of hs_pipeline, or is the one that a frame's end is told by.
+bool is_of_ports(const Layout& layout) {
+  static const char* const kPorts[] = {"light",   "material", "texture", "texel", "triangle", "normals", "texture_coordinates", "motion_vectors",
+                                       "visible", "scan",     "motion",  "entry", "pixel"};
+  return std::any_of(std::begin(kPorts), std::end(kPorts), [&](const char* name) { return layout.stream == name; });
 }
 
 std::vector<std::uint32_t> objects_of(const NamedFrame& frame, const Config& config) {
@@ -210,14 +219,18 @@ std::string write_vector_set(const std::string& folder, const VectorSetOptions& 
                          {"triangles", frame.scene.triangles.size()},
                          {"note", frame.note}});
   }
-  const auto capture = [&](std::size_t n, const WordSink& sink) {
+  std::vector<Layout> layouts = engine->layouts();
+  if (options.ports) layouts.erase(std::remove_if(layouts.begin(), layouts.end(), [](const Layout& l) { return !is_of_ports(l); }), layouts.end());
+  const auto capture = [&](std::size_t n, Json&, const WordSink& sink) {
     if (has_lighting(configuration.config())) engine->light(frames[n].lighting);
     if (has_texture(configuration.config())) engine->texture(frames[n].texture);
     if (has_motion(configuration.config())) engine->move(frames[n].motion);
     if (has_objects(configuration.config())) engine->number(objects_of(frames[n], configuration.config()));
-    engine->capture(frames[n].scene, sink);
+    engine->capture(frames[n].scene, [&](const Layout& layout, const Word* words, std::size_t count) {
+      if (!options.ports || is_of_ports(layout)) sink(layout, words, count);
+    });
   };
-  return write_streams(folder, options, engine->lanes_x(), engine->lanes_y(), engine->layouts(), described, capture, progress);
+  return write_streams(folder, options, engine->lanes_x(), engine->lanes_y(), layouts, std::move(described), capture, progress);
 }
 
 std::string write_compensation_set(const std::string& folder, const VectorSetOptions& options,

@@ -32,6 +32,7 @@ struct VectorSetOptions {
   int lanes = 4;
   std::uint64_t seed = 0;  // of the random frames; 0 if there are none
   int window = 0;          // of index reuse
+  bool ports = false;      // the streams at the ports of hs_pipeline alone, and scan, which its frames end by
 };
 
 // Writes the streams of the frames to `folder`, which is made. The files appear there together, at the end, or not

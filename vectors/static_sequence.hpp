@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// A sequence of the static objects buffer as hs_pipeline and ztest_merge see it: passes, and runs.
+#ifndef HALFSPACE_VECTORS_STATIC_SEQUENCE_HPP_
+#define HALFSPACE_VECTORS_STATIC_SEQUENCE_HPP_
+
+#include <vector>
+
+#include "vectors/merge_frames.hpp"
+#include "vectors/static_frames.hpp"
+
+namespace halfspace::vectors {
+
+// Notes begin with the frame of the sequence. That of a run in which a pass is merged ends with "pass P", its place in
+// `passes`.
+struct StaticSequence {
+  std::vector<NamedFrame> passes;
+  std::vector<NamedMerge> runs;
+};
+
+// Of moving_scene(objects), from a seed.
+StaticSequence static_sequence(const StaticFramesOptions& options, int objects, int frames, std::uint64_t seed);
+
+}  // namespace halfspace::vectors
+
+#endif  // HALFSPACE_VECTORS_STATIC_SEQUENCE_HPP_
