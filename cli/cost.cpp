@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 
 #include "cli/commands.hpp"
 #include "cli/sequence.hpp"
 #include "ref/error.hpp"
+#include "ref/static_instances.hpp"
+#include "ref/viewpoint.hpp"
 #include "vectors/cycles.hpp"
 #include "vectors/up_convert.hpp"
 
@@ -27,6 +30,8 @@ struct Cost {
   const char* slowest = "";
   double multiplications = 0;   // a covered pixel of the frame
   double bytes = 0;             // likewise, to and from memory outside
+  std::size_t triangles = 0;    // handed to the pipeline
+  std::size_t words = 0, tiles = 0;  // of motion, and of keys
 };
 
 // What the renderer's units would take for themselves, of a frame of which triangles and pixels are at hand.
@@ -34,15 +39,18 @@ struct FrontEnd {
   vectors::Cycles cycles;
   double pixels = 0;       // covered
   double pixel_scan = 0;   // cycles of a unit that takes a covered pixel at a time, and one for a stamp of background
+  std::size_t triangles = 0, stamps = 0;
 };
 
-FrontEnd front_end(const vectors::Configuration& configuration, const ref::Scene& scene, const ref::View& view, int lanes) {
+FrontEnd front_end(const vectors::Configuration& configuration, const ref::TriangleList& triangles, int lanes) {
   const auto engine = vectors::make_engine(configuration, lanes);
-  const ref::SnappedList list = ref::snap(ref::project(scene, view), vectors::raster_format(configuration));
+  const ref::SnappedList list = ref::snap(triangles, vectors::raster_format(configuration));
   const ref::Frame frame = engine->render(list);
   FrontEnd out{vectors::model_cycles(configuration.config(), *engine, list, frame)};
+  out.triangles = list.triangles.size();
   for (int y = 0; y < frame.height; y += engine->lanes_y()) {
     for (int x = 0; x < frame.width; x += engine->lanes_x()) {
+      ++out.stamps;
       int covered = 0;
       for (int l = 0; l < lanes; ++l) {
         const int column = x + l % engine->lanes_x(), row = y + l / engine->lanes_x();
@@ -63,6 +71,7 @@ void take_front(Cost& cost, const FrontEnd& front) {
   take(cost, "triangle_setup", double(front.cycles.triangle_setup));
   take(cost, "plane setup", double(front.cycles.shade_setup));
   take(cost, "raster_pineda", double(front.cycles.raster));
+  cost.triangles = front.triangles;
 }
 
 // A frame as it is rendered, `samples` squared times the pixels of the picture. Multiplications are those of a pixel that goes
@@ -109,44 +118,103 @@ Cost made(const char* name, const FrontEnd& front, double picture_pixels, const 
   }
   const double tiles = 64 * double(between.misses[0] + between.misses[1]) * vectors::key_pixel_bits(motion) / 8;
   cost.bytes = (double(between.words) * 2 * word / 8 + tiles) / picture_pixels + 3;
+  cost.words = between.words, cost.tiles = between.misses[0] + between.misses[1];
   return cost;
+}
+
+// Those of the instances for which `which` is `value`.
+ref::TriangleList of_instances(const ref::TriangleList& all, const ref::Scene& scene, const std::vector<bool>& which, bool value) {
+  const std::vector<std::uint32_t> instance = ref::instances_of_faces(scene);
+  ref::TriangleList out{all.width, all.height, all.background, {}, {}};
+  for (std::size_t k = 0; k < all.triangles.size(); ++k) {
+    if (which[instance[all.face[k]]] == value) out.triangles.push_back(all.triangles[k]);
+  }
+  return out;
+}
+
+// A frame with an S-buffer, of which an entry {depth, object, colour} a pixel is read, rendered and made of keys, and last the drawing of
+// that buffer, which writes them. Each merge takes a stamp a cycle.
+std::vector<Cost> with_static_buffer(const vectors::KernelUpConversion& mode, const ref::Scene& first, const ref::Scene& between,
+                               const ref::Scene& second, const std::vector<bool>& still, double picture_pixels, const Options& options) {
+  const Config colour = mode.colour.config();
+  const int samples = mode.motion.config().samples;
+  const ref::TriangleList all =
+      ref::project(between, {mode.width * samples, mode.height * samples, colour.range_bits, colour.subpixel_bits});
+  vectors::KernelUpConversion with = mode;
+  with.static_buffer = true;
+  vectors::KernelUpConverter converter(with);
+  converter.set_keys(first, second);
+  const FrontEnd moving = front_end(mode.colour, of_instances(all, between, still, false), options.lanes);
+  const FrontEnd standing = front_end(mode.colour, of_instances(all, between, still, true), options.lanes);
+  const double entry = colour.depth_bits + bits_for(still.size()) + 3 * colour.colour_bits;
+  const double entries = double(all.width) * all.height * entry / 8 / picture_pixels;
+  const bool one = samples == 1;
+  std::vector<Cost> costs{
+      rendered(one ? "rendered, Gouraud, S-buffer" : "rendered, 4x4, Gouraud, S-buffer", moving, picture_pixels, false, 0),
+      rendered(one ? "rendered, Phong, S-buffer" : "rendered, 4x4, Phong, S-buffer", moving, picture_pixels, false, options.lights),
+      made(one ? "made of key frames, S-buffer" : "made, 4x4 samples, S-buffer", moving, picture_pixels, converter.at(between, 0.4), mode.motion),
+      rendered(one ? "the S-buffer, once, Gouraud" : "the S-buffer, once, 4x4, Gouraud", standing, picture_pixels, false, 0)};
+  for (Cost& cost : costs) {
+    take(cost, "ztest_merge", double(moving.stamps + 1));
+    cost.bytes += entries;
+  }
+  costs.back().bytes = entries;
+  return costs;
 }
 
 void cost(const Options& options) {
   const FrameSize size = parse_size(options.size);
+  const double aspect = double(size.width) / size.height;
   const auto scene_at = [&](int n) { return ref::load_scene(options.scene, double(options.first + n) / kFramesASecond); };
   const ref::Scene first = scene_at(0), between = scene_at(2), second = scene_at(5);
   if (first.duration <= 0) throw ref::Error(fmt::format("{}: nothing moves in it: take an animated scene", options.scene));
 
-  Json json = {{"scene", options.scene}, {"width", size.width}, {"height", size.height}, {"rows", Json::array()}};
+  std::array<ref::Scene, 3> held{first, between, second};
+  const ref::DepthPlanes planes = ref::held_planes({&first, &between, &second}, aspect);
+  for (ref::Scene& scene : held) scene.depth_planes = planes;
+  const std::vector<bool> still = ref::static_instances(held[0], held[2], held[1], aspect);
+  const auto standing = std::count(still.begin(), still.end(), true);
+
+  Json json = {{"scene", options.scene}, {"width", size.width}, {"height", size.height}, {"static_instances", standing}, {"rows", Json::array()}};
   fmt::print("{} {}: a frame between two keys five apart, rendered and made of them; {} lanes, {} lights\n\n"
-             "{:<34} {:>10}  {:<18} {:>9} {:>9} {:>9}\n", options.scene, options.size, options.lanes, options.lights, "", "cycles",
-             "slowest unit", "MUL/pixel", "B/pixel", "of cycles");
+             "{:<34} {:>10}  {:<18} {:>9} {:>9} {:>9} {:>9} {:>8} {:>8}\n", options.scene, options.size, options.lanes, options.lights, "", "cycles",
+             "slowest unit", "MUL/pixel", "B/pixel", "of cycles", "triangles", "words", "tiles");
   for (const int samples : {1, 4}) {
     const vectors::Configuration named = vectors::find_configuration(samples == 1 ? options.config : "high");
     const int scale = samples;
     const ref::View view{size.width * scale, size.height * scale, named.config().range_bits, named.config().subpixel_bits};
-    const FrontEnd front = front_end(named, between, view, options.lanes);
+    const FrontEnd front = front_end(named, ref::project(between, view), options.lanes);
     const double picture_pixels = front.pixels / (samples * samples);
     Config numbers = vectors::default_motion(named.config());
     numbers.samples = samples;
     const vectors::Configuration motion = vectors::motion_configuration(named, numbers, view.width, view.height);
-    vectors::KernelUpConverter converter({size.width, size.height, named, motion});
+    const vectors::KernelUpConversion mode{size.width, size.height, named, motion};
+    vectors::KernelUpConverter converter(mode);
     converter.set_keys(first, second);
     const Cost up = made(samples == 1 ? "made of key frames" : "made, 4x4 samples", front, picture_pixels, converter.at(between, 0.4), motion);
     const bool one = samples == 1;
-    const Cost rows[] = {rendered(one ? "rendered, Gouraud" : "rendered, 4x4 samples, Gouraud", front, picture_pixels, false, 0),
+    std::vector<Cost> rows = {rendered(one ? "rendered, Gouraud" : "rendered, 4x4 samples, Gouraud", front, picture_pixels, false, 0),
                          rendered(one ? "rendered, texture" : "rendered, 4x4 samples, texture", front, picture_pixels, true, 0),
                          rendered(one ? "rendered, Phong" : "rendered, 4x4 samples, Phong", front, picture_pixels, false, options.lights), up};
+    if (standing != 0) {
+      const std::vector<Cost> with = with_static_buffer(mode, held[0], held[1], held[2], still, picture_pixels, options);
+      rows.insert(rows.end(), with.begin(), with.end());
+    }
     for (const Cost& row : rows) {
-      fmt::print("{:<34} {:>10.0f}  {:<18} {:>9.1f} {:>9.1f} {:>8.0f}%\n", row.name, row.cycles, row.slowest, row.multiplications, row.bytes,
-                 100 * up.cycles / row.cycles);
+      fmt::print("{:<34} {:>10.0f}  {:<18} {:>9.1f} {:>9.1f} {:>8.0f}% {:>9} {:>8} {:>8}\n", row.name, row.cycles, row.slowest, row.multiplications,
+                 row.bytes, 100 * up.cycles / row.cycles, row.triangles, row.words, row.tiles);
       json["rows"].push_back({{"name", row.name}, {"samples", samples}, {"made", row.made}, {"cycles", row.cycles}, {"slowest", row.slowest},
                               {"multiplications_a_pixel", row.multiplications}, {"bytes_a_pixel", row.bytes},
-                              {"made_of_this", up.cycles / row.cycles}});
+                              {"made_of_this", up.cycles / row.cycles}, {"triangles", row.triangles}, {"motion_words", row.words},
+                              {"cache_misses", row.tiles}});
     }
   }
-  fmt::print("\nA pixel is a covered one of the picture. The last column: cycles of the made frame, of this one's.\n");
+  fmt::print("\nA pixel is a covered one of the picture. Of cycles: those of the made frame, of this one's. Words are of motion, tiles of key frames.\n");
+  if (standing == 0) {
+    fmt::print("No instance stands still in all three frames, or the view or a light changes: an S-buffer would be empty.\n");
+  } else {
+    fmt::print("{} of {} instances stand still. The S-buffer is drawn for all frames in which they do, and read in each.\n", standing, still.size());
+  }
   write_json(options.json, json);
 }
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
-#include "cli/sequence.hpp"
+#include "cli/sequence_quality.hpp"
 #include "cli/video.hpp"
 
 namespace halfspace::cli {
@@ -21,6 +21,7 @@ void frames(const Options& options) {
   std::unique_ptr<FrameWriter> differences;
   if (!options.difference.empty()) differences = std::make_unique<FrameWriter>(options.difference, size.width, size.height, kFramesASecond);
   ref::Shares shares;
+  Work work;
   int between = 0;
   const Sequence sequence = run_sequence(options.sequence, [&](const SequenceFrame& frame) {
     const Picture shown = picture_of(frame.shown, size.width, size.height);
@@ -28,19 +29,22 @@ void frames(const Options& options) {
     if (differences) differences->write(difference_picture(shown, picture_of(frame.rendered, size.width, size.height), options.gain));
     if (frame.is_key) return;
     ++between;
-    add(shares, frame.shares);
+    add(shares, frame.shares), add(work, frame.work);
   });
   writer.finish();
   if (differences) differences->finish();
-  const double shown = std::max(1.0, double(shares.blended + shares.copied + shares.filled));
-  fmt::print("{} {}: {} frames, {} keys, {} in between; of their covered pixels {:.2f} % blended, {:.2f} % copied, {:.2f} % rendered\n",
+  const double shown = std::max(1.0, double(shares.blended + shares.copied + shares.filled + shares.still));
+  fmt::print("{} {}: {} frames, {} keys, {} in between; of their covered pixels {:.2f} % blended, {:.2f} % copied, {:.2f} % rendered{}\n",
              options.sequence.engine, options.sequence.scene, sequence.frames, sequence.keys.size(), between,
-             100 * double(shares.blended) / shown, 100 * double(shares.copied) / shown, 100 * double(shares.filled) / shown);
-  write_json(options.json, {{"scene", options.sequence.scene}, {"engine", options.sequence.engine}, {"config", sequence.colour},
+             100 * double(shares.blended) / shown, 100 * double(shares.copied) / shown, 100 * double(shares.filled) / shown,
+             options.sequence.static_buffer ? fmt::format(", {:.2f} % of the S-buffer", 100 * double(shares.still) / shown) : "");
+  Json json = {{"scene", options.sequence.scene}, {"engine", options.sequence.engine}, {"config", sequence.colour},
                             {"motion", sequence.motion}, {"width", sequence.width}, {"height", sequence.height},
                             {"frames", sequence.frames}, {"keys", sequence.keys}, {"between", between},
                             {"pixels", {{"background", shares.background}, {"blended", shares.blended},
-                                        {"copied", shares.copied}, {"rendered", shares.filled}}}});
+                                        {"copied", shares.copied}, {"rendered", shares.filled}, {"static", shares.still}}}};
+  json.update(to_json(work, sequence.tile_bytes));
+  write_json(options.json, json);
 }
 
 }  // namespace
@@ -55,6 +59,7 @@ void add_frames(CLI::App& app, int&) {
   command->add_option("--json", options->json, "file for the numbers");
   command->footer("  halfspace frames drone --keys 1:4 -o drone.mp4           one frame in five is drawn\n"
                   "  halfspace frames drone --keys auto --psnr 50 -o d.mp4     keys where the motion asks for them\n"
+                  "  halfspace frames court --static-buffer -o court.mp4       the castle is drawn once, the drone alone is compensated\n"
                   "docs/frames.md says how frames are made.\n");
   command->callback([options] { frames(*options); });
 }

@@ -23,8 +23,24 @@ void print(const char* method, const ref::Quality& q) {
   fmt::print("\n");
 }
 
+// Sums over the frames in between.
+void print_work(const SequenceQuality& with, const SequenceQuality& without) {
+  fmt::print("\n{:<20} {:>11} {:>14} {:>12} {:>12} {:>12} {:>14}\n", "", "triangles", "of S-buffer", "words", "key tiles", "key bytes", "compensation");
+  for (const SequenceQuality* q : {&with, &without}) {
+    const Work& w = q->work;
+    fmt::print("{:<20} {:>11} {:>14} {:>12} {:>12} {:>12} {:>7} cycles\n", q == &with ? "with S-buffer" : "without", w.triangles, w.static_triangles,
+               w.words, w.tiles, w.tiles * std::size_t(q->sequence.tile_bytes), w.cycles);
+  }
+}
+
 void quality(const Options& options) {
   const SequenceQuality q = measure_sequence(options.sequence, true);
+  std::optional<SequenceQuality> without;
+  if (options.sequence.static_buffer) {
+    SequenceOptions sequence = options.sequence;
+    sequence.static_buffer = false, sequence.held_planes = true;
+    without = measure_sequence(sequence, false);
+  }
   if (q.between == 0) throw ref::Error(fmt::format("{}: no frame lies between keys: lower --psnr", options.sequence.scene));
   fmt::print("{} {} {}x{}: {} frames, {} keys, {} in between, against these as rendered\n\n{:<20} {:>9} {:>8}",
              options.sequence.engine, options.sequence.scene, q.sequence.width, q.sequence.height, q.sequence.frames,
@@ -32,16 +48,22 @@ void quality(const Options& options) {
   for (int n = 0; n < ref::kBlockClasses; ++n) fmt::print(" {:>10}", ref::name_of(ref::BlockClass(n)));
   fmt::print("\n");
   print("motion compensated", q.compensated);
+  if (without) print("without S-buffer", without->compensated);
   print("temporal average", q.average);
   print("nearer key", q.repeat);
   if (q.minterpolate) print("ffmpeg minterpolate", *q.minterpolate);
   else fmt::print("{:<20} not measured: it takes ffmpeg, and three keys or more as far apart as each other\n", "ffmpeg minterpolate");
-  const double shown = double(q.shares.blended + q.shares.copied + q.shares.filled);
-  fmt::print("\nof covered pixels {:.2f} % blended, {:.2f} % copied from one key, {:.2f} % rendered; classes are of 4x4 blocks, from {} dB on\n",
+  const double shown = double(q.shares.blended + q.shares.copied + q.shares.filled + q.shares.still);
+  fmt::print("\nof covered pixels {:.2f} % blended, {:.2f} % copied from one key, {:.2f} % rendered{}; classes are of 4x4 blocks, from {} dB on\n",
              100 * double(q.shares.blended) / shown, 100 * double(q.shares.copied) / shown, 100 * double(q.shares.filled) / shown,
+             without ? fmt::format(", {:.2f} % of the S-buffer", 100 * double(q.shares.still) / shown) : "",
              fmt::join(ref::kBlockBorders, ", "));
   Json json = {{"scene", options.sequence.scene}, {"engine", options.sequence.engine}};
   json.update(to_json(q));
+  if (without) {
+    if (options.sequence.engine == "hls") print_work(q, *without);
+    json["without_static_buffer"] = to_json(*without);
+  }
   write_json(options.json, json);
   if (!options.plot.empty()) plot_blocks(q, options.sequence.scene, options.plot);
 }
@@ -105,6 +127,7 @@ void add_quality(CLI::App& app, int&) {
   command->add_option("--json", options->json, "file for the numbers");
   command->footer("  halfspace quality cube_fast                                         the kernels\n"
                   "  halfspace quality cube_fast --engine ref --method straight --filter area --no-index-test   as the paper has it\n"
+                  "  halfspace quality court --static-buffer                                     with an S-buffer and without, what both take\n"
                   "PSNR_Y is 0.299 PSNR_R + 0.587 PSNR_G + 0.114 PSNR_B, 99 dB at most a channel.\n");
   command->add_option("--vary", options->vary, "a number of the motion's configuration, like vector_fraction=1..6: what fewer bits cost");
   command->callback([options] { options->vary.empty() ? quality(*options) : vary(*options); });

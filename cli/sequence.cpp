@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "cli/progress.hpp"
 #include "cli/scene_input.hpp"
 #include "ref/error.hpp"
 #include "ref/quality.hpp"
+#include "ref/viewpoint.hpp"
 #include "vectors/texture.hpp"
 #include "vectors/up_convert.hpp"
 
@@ -62,9 +64,7 @@ class KernelConverter : public Converter {
     out.shown = std::move(made.colour);
     out.rendered = std::move(made.rendered);
     out.shares = made.shares;
-    out.words = made.words;
-    out.misses[0] = made.misses[0], out.misses[1] = made.misses[1];
-    out.cycles = made.cycles;
+    out.work = {made.triangles, made.static_triangles, made.words, made.misses[0] + made.misses[1], made.cycles};
     return out;
   }
 
@@ -87,6 +87,7 @@ std::unique_ptr<Converter> reference_converter(const SequenceOptions& options, c
   mode.field = options.half ? ref::FieldSize::kHalf : ref::FieldSize::kSamples;
   mode.surfaces = options.surfaces;
   mode.relight = options.relight && options.method == "exact";
+  mode.static_buffer = options.static_buffer;
   return std::make_unique<ReferenceConverter>(mode);
 }
 
@@ -145,7 +146,12 @@ int between_of(const std::string& keys) {
 
 void add(ref::Shares& sum, const ref::Shares& shares) {
   sum.background += shares.background, sum.blended += shares.blended;
-  sum.copied += shares.copied, sum.filled += shares.filled;
+  sum.copied += shares.copied, sum.filled += shares.filled, sum.still += shares.still;
+}
+
+void add(Work& sum, const Work& work) {
+  sum.triangles += work.triangles, sum.static_triangles += work.static_triangles;
+  sum.words += work.words, sum.tiles += work.tiles, sum.cycles += work.cycles;
 }
 
 void add_sequence_options(CLI::App* command, SequenceOptions& o) {
@@ -173,6 +179,9 @@ void add_sequence_options(CLI::App* command, SequenceOptions& o) {
   command->add_option("--samples", o.samples, "of a pixel each way: 1, 2, 4")->check(CLI::IsMember({1, 2, 4}))->capture_default_str();
   command->add_flag("--relight,!--no-relight", o.relight, "add what the light changes between the keys (default)");
   command->add_flag("--half", o.half, "a motion vector for 2x2 pixels");
+  command->add_flag("--static-buffer", o.static_buffer,
+                    "keep what stands still between two keys in an S-buffer, and set up, vector and compensate what moves alone: the viewpoint "
+                    "has to rest");
   command->add_flag("!--no-index-test", o.index_test, "for --engine ref: take what lies in the place, whatever face it shows");
   command->add_flag("--surfaces", o.surfaces, "for --engine ref: pixels match by smooth surfaces, not by faces");
 }
@@ -181,7 +190,10 @@ Sequence run_sequence(const SequenceOptions& options, const std::function<void(c
   const int fill = between_of(options.keys);
   const FrameSize size = parse_size(options.size);
   const bool textured = options.texture != "none";
-  ref::Scene scene = ref::load_scene(options.scene, double(options.first) / kFramesASecond, textured);
+  if (options.static_buffer && (options.half || options.method != "exact")) {
+    throw ref::Error("--static-buffer: what moves is held against its depths, a sample at a time: leave out --half and --method straight");
+  }
+  const ref::Scene scene = ref::load_scene(options.scene, double(options.first) / kFramesASecond, textured);
   if (scene.duration <= 0) throw ref::Error(fmt::format("{}: nothing moves in it: take an animated scene", options.scene));
   const int all = int(std::floor(scene.duration * kFramesASecond)) + 1 - options.first;
   const int frames = options.frames ? std::min(options.frames, all) : all;
@@ -189,8 +201,17 @@ Sequence run_sequence(const SequenceOptions& options, const std::function<void(c
 
   const vectors::Configuration colour = colour_configuration(options, size);
   Sequence out{size.width, size.height, frames, {}, colour.name(), ""};
+  std::optional<ref::DepthPlanes> planes;
+  const auto scene_at = [&](int number) {
+    return ref::load_scene(options.scene, double(options.first + number) / kFramesASecond, textured);
+  };
+  for (int n = 0; n < frames && (options.static_buffer || options.held_planes); ++n) {
+    const ref::DepthPlanes at = ref::depth_planes(scene_at(n), double(size.width) / size.height);
+    planes = planes ? ref::joined(*planes, at) : at;
+  }
   const auto fitted = [&](int number) {
-    ref::Scene at = ref::load_scene(options.scene, double(options.first + number) / kFramesASecond, textured);
+    ref::Scene at = scene_at(number);
+    at.depth_planes = planes;
     if (has_texture(colour.config())) vectors::fit_textures(at, colour.config());
     return at;
   };
@@ -201,8 +222,11 @@ Sequence run_sequence(const SequenceOptions& options, const std::function<void(c
     if (!options.index_test || options.surfaces) throw ref::Error("--no-index-test, --surfaces: the kernels go by faces: take --engine ref");
     const vectors::Configuration motion = motion_of(options, size, colour);
     out.motion = motion.name();
+    out.tile_bytes = 64 * vectors::key_pixel_bits(motion.config()) / 8;
     const auto method = options.method == "straight" ? ref::MotionMethod::kStraight : ref::MotionMethod::kExact;
-    converter = std::make_unique<KernelConverter>(vectors::KernelUpConversion{size.width, size.height, colour, motion, method, options.half});
+    vectors::KernelUpConversion mode{size.width, size.height, colour, motion, method, options.half};
+    mode.static_buffer = options.static_buffer;
+    converter = std::make_unique<KernelConverter>(mode);
   }
 
   Progress progress(options.scene);

@@ -23,11 +23,20 @@ struct SequenceOptions {
   std::string filter, mapping, method = "exact", texture = "none", shading = "gouraud";
   int samples = 1, first = 0, frames = 0;  // frames 0: to the end of the animation
   bool relight = true, half = false, index_test = true, surfaces = false;
+  bool static_buffer = false;
+  bool held_planes = false;  // depth planes of all frames together, as with static_buffer, so that both draw the same
   double psnr = 45;  // of --keys auto
   std::vector<std::string> set;  // "weight_bits=4": of the motion's configuration
 };
 
 void add_sequence_options(CLI::App* command, SequenceOptions& options);
+
+// What frames in between take of the kernels.
+struct Work {
+  std::size_t triangles = 0, static_triangles = 0;  // handed to the pipeline for the field, and for the S-buffer
+  std::size_t words = 0, tiles = 0, cycles = 0;     // of motion; of keys, that the caches fetch; of the compensation
+};
+void add(Work& sum, const Work& work);
 
 // A frame between keys, or a key.
 struct SequenceFrame {
@@ -37,7 +46,7 @@ struct SequenceFrame {
   ref::Colours rendered;  // without up-conversion
   ref::Colours average, repeat;  // of the keys; empty of a key
   ref::Shares shares;
-  std::size_t words = 0, misses[2] = {0, 0}, cycles = 0;  // of kernels
+  Work work;
 };
 
 void add(ref::Shares& sum, const ref::Shares& shares);
@@ -47,6 +56,7 @@ struct Sequence {
   int width, height, frames;
   std::vector<int> keys;  // their numbers
   std::string colour, motion;  // configurations, of kernels
+  int tile_bytes = 0;          // of a key frame, likewise
 };
 
 // Tells of each frame in order. Progress on standard error. Throws ref::Error.

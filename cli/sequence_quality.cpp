@@ -58,7 +58,7 @@ SequenceQuality measure_sequence(const SequenceOptions& options, bool with_minte
     compensated.add(made), average.add(mean), repeat.add(against(frame.repeat));
     out.blocks.push_back(made.blocks), out.average_blocks.push_back(mean.blocks);
     add(out.shares, frame.shares);
-    out.words += frame.words, out.misses += frame.misses[0] + frame.misses[1], out.cycles += frame.cycles;
+    add(out.work, frame.work);
   });
   out.between = compensated.frames();
   if (out.between == 0) return out;
@@ -67,14 +67,19 @@ SequenceQuality measure_sequence(const SequenceOptions& options, bool with_minte
   return out;
 }
 
+Json to_json(const Work& work, int tile_bytes) {
+  return {{"triangles", work.triangles}, {"static_triangles", work.static_triangles}, {"motion_words", work.words}, {"cache_misses", work.tiles},
+          {"key_bytes", work.tiles * std::size_t(tile_bytes)}, {"compensation_cycles", work.cycles}};
+}
+
 Json to_json(const SequenceQuality& q) {
   Json json = {{"config", q.sequence.colour}, {"motion", q.sequence.motion}, {"width", q.sequence.width}, {"height", q.sequence.height},
                {"frames", q.sequence.frames}, {"keys", q.sequence.keys}, {"between", q.between},
                {"compensated", quality_json(q.compensated)}, {"temporal_average", quality_json(q.average)},
                {"repeat", quality_json(q.repeat)},
                {"pixels", {{"background", q.shares.background}, {"blended", q.shares.blended}, {"copied", q.shares.copied},
-                           {"rendered", q.shares.filled}}},
-               {"motion_words", q.words}, {"cache_misses", q.misses}, {"compensation_cycles", q.cycles}};
+                           {"rendered", q.shares.filled}, {"static", q.shares.still}}}};
+  json.update(to_json(q.work, q.sequence.tile_bytes));
   if (q.minterpolate) json["minterpolate"] = quality_json(*q.minterpolate);
   return json;
 }

@@ -20,13 +20,14 @@ struct SequenceQuality {
   ref::Quality compensated, average, repeat;
   std::optional<ref::Quality> minterpolate;  // none without ffmpeg, or where intervals are not of one length
   ref::Shares shares;                        // of pixels of the field, all frames
-  std::size_t words = 0, misses = 0, cycles = 0;
+  Work work;
   std::vector<std::array<double, ref::kBlockClasses>> blocks;  // of each frame in between
   std::vector<std::array<double, ref::kBlockClasses>> average_blocks;
 };
 
 SequenceQuality measure_sequence(const SequenceOptions& options, bool with_minterpolate);
 
+Json to_json(const Work& work, int tile_bytes);
 Json to_json(const SequenceQuality& quality);
 // Shares of blocks a frame, stacked: of the temporal average above, compensated below.
 void plot_blocks(const SequenceQuality& quality, const std::string& title, const std::string& picture);

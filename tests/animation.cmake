@@ -1,4 +1,4 @@
-# Frames between key frames of every built-in animation: in every run two of the benches, with label `long` each filter in each size with one
+# Frames between key frames of ten built-in animations: in every run two of the benches, with label `long` each filter in each size with one
 # and with 4x4 samples, and the motion field in each size.
 function(halfspace_animation_matrix name)
   add_test(NAME ${name} COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/animation_matrix_test.py $<TARGET_FILE:halfspace>

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Co-simulates frames between key frames on every built-in animation, in configurations that are made here: each CASE is SIZE-FILTER-SAMPLES
+"""Co-simulates frames between key frames on ten built-in animations, in configurations that are made here: each CASE is SIZE-FILTER-SAMPLES
 for motion_compensate, as low-bicubic-4, or SIZE-field-LANES for the pipeline that makes the motion field, as middle-field-4. Key frames are
 five frames apart, the frame in between is the second; stalls 30 %.
 Usage: animation_matrix_test.py HALFSPACE FOLDER CASE … --library A.a --library B.a [--seeds N]"""

@@ -73,6 +73,22 @@ TEST(Bounds, OfConfigurationsThatNobodyNamedHold) {
   EXPECT_EQ(accepted, 16);
 }
 
+// What objects add is exact, and looked at, with few objects and with many.
+TEST(Bounds, OfConfigurationsWithObjectsHold) {
+  for (const int bits : {1, 4, 22}) {
+    Config c = vectors::find_configuration("low").config();
+    c.object_bits = bits;
+    const BoundsReport report = measured(Configuration("objects", c), 10, 5);
+    expect_holds(report);
+    for (const vectors::Quantity quantity : {vectors::kEntry, vectors::kMerge, vectors::kMergeFound}) {
+      EXPECT_TRUE(report.rows[quantity].present());
+      EXPECT_TRUE(report.rows[quantity].exact());
+    }
+    EXPECT_GT(report.rows[vectors::kMerge].compared, 10000u);
+  }
+  EXPECT_FALSE(measured(vectors::find_configuration("low"), 1, 5).rows[vectors::kMerge].present());
+}
+
 // A place that is named is the place: its triangle alone has the error again.
 TEST(Bounds, AreSeenAgainWhereTheyWereSeen) {
   const Configuration configuration = vectors::find_configuration("middle");

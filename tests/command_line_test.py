@@ -11,7 +11,7 @@ import tempfile
 import unittest
 
 HALFSPACE, MODELS = sys.argv[1], pathlib.Path(sys.argv[2])
-COMMANDS = ("render", "vectors", "compare", "config", "package", "report", "bounds", "fit", "stability", "sweep")
+COMMANDS = ("render", "vectors", "compare", "config", "package", "report", "bounds", "fit", "stability", "sweep", "frames", "quality", "cost")
 TRIANGLE = "t 1 1 0.5 255 0 0  30 2 0.5 0 255 0  4 20 0.25 0 0 255\n"
 
 
@@ -76,6 +76,25 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(set(index), {0, 1})
         self.assertEqual(index.count(1), json.loads(numbers.read_text())["covered_pixels"])
         self.assertEqual(sorted(p.name for p in dump.iterdir()), ["colour.rgba8", "depth.u32", "index.u32", "triangles.tri"])
+
+    def test_a_static_buffer_is_held_against_none(self):
+        numbers = self.folder / "quality.json"
+        self.good("quality", "court", "--static-buffer", "--size", "160x120", "--first", "60", "--frames", "11", "--json", numbers)
+        with_buffer = json.loads(numbers.read_text())
+        without = with_buffer["without_static_buffer"]
+        self.assertEqual(with_buffer["pixels"]["background"], without["pixels"]["background"])
+        self.assertEqual(with_buffer["pixels"]["static"] + with_buffer["motion_words"], without["motion_words"])
+        self.assertEqual((without["pixels"]["static"], without["static_triangles"]), (0, 0))
+        self.assertLess(with_buffer["triangles"] + with_buffer["static_triangles"], without["triangles"])
+        for key in ("cache_misses", "key_bytes", "compensation_cycles"):
+            self.assertLess(10 * with_buffer[key], without[key])
+        self.assertGreaterEqual(with_buffer["compensated"]["psnr_y_db"], without["compensated"]["psnr_y_db"] - 0.01)
+        self.good("cost", "court", "--size", "80x60", "--first", "60", "--json", numbers)
+        names = [row["name"] for row in json.loads(numbers.read_text())["rows"]]
+        self.assertIn("made of key frames, S-buffer", names)
+        self.assertIn("would be empty", self.good("cost", "cube_zoom", "--size", "80x60", "--json", numbers))
+        self.assertEqual(json.loads(numbers.read_text())["static_instances"], 0)
+        self.bad("quality", "court", "--static-buffer", "--half", "--frames", "6", words=("--static-buffer", "--half"))
 
     def test_a_dump_renders_to_itself(self):
         a, b = self.folder / "a", self.folder / "b"

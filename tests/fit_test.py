@@ -107,6 +107,20 @@ def main():
             worse = second_look(halfspace, scene, size, times[:1], broken, folder)
             assert worse < PSNR, f"{stem}: two bits of colour less still give {worse:.2f} dB"
 
+    # Pixels know their objects where some of them move and some stand still, and nowhere else.
+    for scene, frames, bits in (("court", "0:3", 5), ("cube_slow", "0:3", 0), ("teapot", "0:0", 0)):
+        report = folder / "objects.json"
+        run(halfspace, "fit", scene, "--size", "96x72", "--frames", frames, "--psnr", 35, "--static-objects", "--area", "none", "--json", report,
+            "--work", folder / "x")
+        found = json.loads(report.read_text())
+        numbers, told = found["configuration"], found["static_objects"]
+        assert numbers["object_bits"] == bits, f"{scene}: {numbers['object_bits']}, {told}"
+        assert (found["memory_bits"]["object_table"] > 0) == (bits > 0), f"{scene}: {found['memory_bits']}"
+        assert found["proof"]["cosim"]["mismatches"] == 0 < found["proof"]["cosim"]["words"]
+        if bits:
+            assert 2 ** bits > told["objects"] >= 2 ** (bits - 1) and 0 < told["moving"] < told["objects"], told
+            assert numbers["architecture"] == "delta" and told["cycles_moving"] < told["cycles_all"], told
+
     out = subprocess.run([halfspace, "fit", "teapot", "--size", "160x120", "--psnr", "99", "--work", str(folder / "x")],
                          capture_output=True, text=True)
     assert out.returncode == 1 and "no configuration reaches" in out.stderr, out.stderr

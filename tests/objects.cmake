@@ -31,9 +31,14 @@ endfunction()
 halfspace_object_frames(objects_low 4 castle --bound 1.25 -- --no-corners)
 # A pixel a cycle sets the pace: the queue before scan_object has to hold all that is on its way through the longest shader.
 halfspace_cosim_build(objects_phong 1 pipeline)
-halfspace_object_frames(objects_phong 1 teapot --bound 1.01)
+halfspace_object_frames(objects_phong 1 teapot --bound 1.01 -- --no-corners)
 halfspace_cosim_build(objects_low 1 pipeline)
 halfspace_object_frames(objects_low 1 teapot --bound 1.01 -- --no-corners)
+
+# Indices of invisible triangles are used again: the table has the object of the last triangle of an index.
+add_test(NAME pipeline_objects_low_4_reuse COMMAND Python3::Interpreter ${cosim_tool} $<TARGET_FILE:halfspace>
+         ${CMAKE_CURRENT_BINARY_DIR}/model_pipeline_objects_low_4/bench ${CMAKE_CURRENT_BINARY_DIR}/pipeline_objects_low_4_reuse castle
+         ${CMAKE_CURRENT_SOURCE_DIR}/configs/objects_low.toml 4 --stall 30 --seeds 1 -- --window 64 --random 1)
 
 set(packages "")
 foreach(model IN ITEMS pipeline_objects_low_4 pipeline_objects_flat_4 pipeline_objects_phong_1)

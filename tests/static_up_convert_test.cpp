@@ -25,7 +25,7 @@ using vectors::KernelUpConverter;
 constexpr int kWidth = 64, kHeight = 48;
 constexpr double kAspect = double(kWidth) / kHeight;
 
-enum Part { kInPlaneFirst, kWall, kInPlaneLater, kThrough, kBall, kBehind, kSurprise, kSleeper, kParts };
+enum Part { kBall, kInPlaneFirst, kWall, kInPlaneLater, kThrough, kBehind, kSurprise, kSleeper, kParts };
 
 void add_quad(Scene& scene, const char* name, double rx, double ry) {
   ref::MeshBuilder builder;
@@ -47,14 +47,14 @@ Scene room(double a) {
   ref::Material two_sided;
   two_sided.two_sided = true;
   scene.materials = {two_sided};
-  add_quad(scene, "first", 0.25, 0.2);
-  add_quad(scene, "wall", 1.1, 0.8);
-  add_quad(scene, "later", 0.25, 0.2);
-  add_quad(scene, "through", 0.4, 0.3);
   ref::MeshBuilder ball;
   ball.ellipsoid({0, 0, 0}, glm::dvec3(0.4), 12, 8);
   scene.meshes.push_back(std::move(ball).mesh("ball"));
   scene.instances.push_back({kBall, at(-0.7, -0.5, 0.3)});
+  add_quad(scene, "first", 0.25, 0.2);
+  add_quad(scene, "wall", 1.1, 0.8);
+  add_quad(scene, "later", 0.25, 0.2);
+  add_quad(scene, "through", 0.4, 0.3);
   add_quad(scene, "behind", 0.5, 0.3);
   add_quad(scene, "surprise", 0.2, 0.2);
   add_quad(scene, "sleeper", 0.15, 0.3);

@@ -119,6 +119,22 @@ class Sweep(unittest.TestCase):
         self.assertEqual(json.loads((self.out / "sweep.json").read_text())["vary"],
                          {"subpixel_bits": ["1", "3", "4"], "depth_fraction": ["8", "12", "13"]})
 
+    def test_objects_cost_memory_and_nothing_else(self):
+        out = self.root / "objects"
+        good("sweep", "castle", "--config", "low", *SIZE, "--vary", "object_bits=0,4,7", "--no-named", "--out", out)
+        none, *some = table(out)
+        self.assertEqual([row["object_bits"] for row in [none, *some]], ["0", "4", "7"])
+        for row in some:
+            for same in ("psnr_db", "cycles", "bytes_depth_written", "bytes_index_read", "shimmer_rms_lsb"):
+                self.assertEqual(row[same], none[same])
+            depths = int(row["bytes_depth_read"]) - int(none["bytes_depth_read"])
+            self.assertEqual(depths, 64 * 48 * int(row["depth_bits"]) // 8)
+            written = int(row["triangles_drawn"]) * int(row["object_bits"])
+            self.assertEqual(int(row["bytes_objects_written"]), -(-written // 8))
+            self.assertGreater(int(row["bytes_objects_read"]), 0)
+            added = depths + int(row["bytes_objects_read"]) + int(row["bytes_objects_written"])
+            self.assertEqual(int(row["bytes"]) - int(none["bytes"]), added)
+
     def test_refused_with_the_reason_that_config_gives(self):
         refused = [row for row in self.rows if row["refused"]]
         self.assertEqual([row["depth_fraction"] for row in refused], 6 * ["8"])

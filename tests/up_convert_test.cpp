@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frames between key frames by the kernels, on every built-in animation: how near they are to the rendered ones, and to what the
+// Frames between key frames by the kernels, on the animations that stand for the paper's: how near they are to the rendered ones, and to what the
 // floating-point reference makes.
 #include <gtest/gtest.h>
 

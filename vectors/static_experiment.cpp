@@ -68,6 +68,7 @@ class Experiment {
           "configuration",
           o.width, o.height, format_.name, format_.width, format_.height));
     }
+    runs_.reserve(kStaticMethods - 1);
     for (const StaticMethod method : {StaticMethod::kNoQuery, StaticMethod::kQuery, StaticMethod::kQueryMany}) {
       ref::StaticOptions options;
       if (method == StaticMethod::kQueryMany) options.buffers = o.buffers;

@@ -67,8 +67,6 @@ class KernelUpConverter {
   KernelFrameBetween at(const ref::Scene& between, double a);
   // What its compensation was last given.
   const CompensationInput& input() const { return input_; }
-  // What its field was last drawn of.
-  const ref::SnappedList& list() const { return list_; }
 
  private:
   // Of the kernels, a face of the scene a pixel.
@@ -90,7 +88,7 @@ class KernelUpConverter {
   std::array<KeyFrame, 2> keys_;
   std::array<ref::Colours, 2> key_colours_;
   CompensationInput input_;
-  ref::SnappedList list_;
+  ref::SnappedList list_;  // what the field was last drawn of
 };
 
 }  // namespace halfspace::vectors
