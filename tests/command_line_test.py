@@ -140,6 +140,23 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(manifest["lanes_x"] * manifest["lanes_y"], 2)
         self.assertEqual(len(list(out.iterdir())), 10)
 
+    def test_vectors_of_buffers_that_are_merged(self):
+        config = pathlib.Path(__file__).with_name("configs") / "objects_tiny.toml"
+        out = self.folder / "m"
+        self.good("vectors", "merge", "--config", config, "--out", out)
+        manifest = json.loads((out / "manifest.json").read_text())
+        self.assertEqual([s["name"] for s in manifest["streams"]], ["merge", "stored", "entry", "merged", "found"])
+        self.assertTrue(all(frame["cycles"] > 1 for frame in manifest["frames"]))
+        self.good("vectors", "static", "--config", config, "--frames", "4", "--buffers", "2", "--out", out)
+        passes, runs = (json.loads((out / part / "manifest.json").read_text()) for part in ("pipeline", "merge"))
+        self.assertEqual([s["name"] for s in passes["streams"]], ["triangle", "visible", "scan", "entry"])
+        self.assertTrue(all(frame["triangles"] <= 100 for frame in passes["frames"]))
+        self.assertIn("frame 3, frame", runs["frames"][-1]["note"])
+        for scene in ("merge", "static"):
+            self.bad("vectors", scene, "--config", "low", "--out", out, words=("object_bits",))
+        self.bad("vectors", "static", "--config", config, "--buffers", "0", "--out", out)
+        self.bad("vectors", "static", "--config", config, "--size", "21x17", "--out", out, words=("21x17",))
+
     def test_tri_winding_and_ties(self):
         forward = "t 1 1 .5 9 9 9  30 2 .5 9 9 9  4 20 .5 9 9 9\n"
         backward = "t 1 1 .5 7 7 7  4 20 .5 7 7 7  30 2 .5 7 7 7\n"
