@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The Z-buffer: a word a stamp, written by lanes (hs_ram_1r1w). With objects it has two banks, as
-// the I-buffer, of which ztest_index draws into one and scan_index reads the other; else one, and
-// no scan port: its data are 0 then. Without depth there is none, and its data are one bit that
-// nobody looks at.
-//
-// Each user sees one RAM with a read latency of one cycle whose word stays until its next read.
-// Illegal: both users in the same bank.
+// the I-buffer (hs_double_buffer); else one, and no scan port: its data are 0 then. Without depth
+// there is none, and its data are one bit that nobody looks at.
 module hs_depth_buffer #(
   parameter int unsigned Lanes = 4,
   parameter int unsigned Depth = 1024,
@@ -33,41 +29,27 @@ module hs_depth_buffer #(
   output logic [DepthsBits-1:0]  scan_read_depth_o
 );
   if (hs_formats_pkg::HasObjects != 0) begin : gen_banks
-    logic ztest_bank_q;  // of the word that was read last
-    logic [1:0] ztest_read, ztest_write, scan_read;
-    logic [2*DepthsBits-1:0] read_data;
-
-    always_ff @(posedge clk_i or negedge rst_ni) begin
-      if (!rst_ni) ztest_bank_q <= 1'b0;
-      else if (ztest_read_en_i) ztest_bank_q <= ztest_read_bank_i;
-    end
-
-    for (genvar bank = 0; bank < 2; bank++) begin : gen_bank
-      assign ztest_read[bank] = ztest_read_en_i && ztest_read_bank_i == 1'(bank);
-      assign ztest_write[bank] = |ztest_write_en_i && ztest_write_bank_i == 1'(bank);
-      assign scan_read[bank] = scan_read_en_i && scan_bank_i == 1'(bank);
-
-      always_ff @(posedge clk_i) begin
-        if (rst_ni) assert (!scan_read[bank] || !(ztest_read[bank] || ztest_write[bank]));
-      end
-
-      hs_ram_1r1w #(
-        .Width(DepthsBits),
-        .Depth(Depth),
-        .Lanes(Lanes)
-      ) u_ram (
-        .clk_i          (clk_i),
-        .read_en_i      (ztest_read[bank] || scan_read[bank]),
-        .read_address_i (ztest_read[bank] ? ztest_read_address_i : scan_address_i),
-        .read_data_o    (read_data[bank*DepthsBits +: DepthsBits]),
-        .write_en_i     (ztest_write[bank] ? ztest_write_en_i : '0),
-        .write_address_i(ztest_write_address_i),
-        .write_data_i   (ztest_write_depth_i)
-      );
-    end
-
-    assign ztest_read_depth_o = read_data[(ztest_bank_q ? DepthsBits : 0) +: DepthsBits];
-    assign scan_read_depth_o = read_data[(scan_bank_i ? DepthsBits : 0) +: DepthsBits];
+    hs_double_buffer #(
+      .Width(DepthsBits),
+      .Depth(Depth),
+      .Lanes(Lanes)
+    ) u_banks (
+      .clk_i                (clk_i),
+      .rst_ni               (rst_ni),
+      .ztest_read_en_i      (ztest_read_en_i),
+      .ztest_read_bank_i    (ztest_read_bank_i),
+      .ztest_read_address_i (ztest_read_address_i),
+      .ztest_read_data_o    (ztest_read_depth_o),
+      .ztest_write_en_i     (ztest_write_en_i),
+      .ztest_write_bank_i   (ztest_write_bank_i),
+      .ztest_write_address_i(ztest_write_address_i),
+      .ztest_write_data_i   (ztest_write_depth_i),
+      .scan_bank_i          (scan_bank_i),
+      .scan_read_en_i       (scan_read_en_i),
+      .scan_write_en_i      (1'b0),
+      .scan_address_i       (scan_address_i),
+      .scan_read_data_o     (scan_read_depth_o)
+    );
   end else begin : gen_no_banks
     logic unused_scan;
     assign unused_scan = ^{rst_ni, ztest_read_bank_i, ztest_write_bank_i, scan_bank_i,

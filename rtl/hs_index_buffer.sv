@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The I-buffer: two banks, of which ztest_index draws into one and scan_index empties the other.
-//
-// Each user sees one RAM with a read latency of one cycle whose word stays until its next read.
-// Illegal: both users in the same bank.
+// The I-buffer: two banks, of which ztest_index draws into one and scan_index empties the other
+// (hs_double_buffer). A write of ztest_index has one index for all of its lanes.
 module hs_index_buffer #(
   parameter int unsigned Lanes = 4,
   parameter int unsigned Depth = 1024,
@@ -29,40 +27,25 @@ module hs_index_buffer #(
   input  logic [AddressBits-1:0]     scan_address_i,
   output logic [Lanes*IndexBits-1:0] scan_read_index_o
 );
-  logic ztest_bank_q;  // of the word that was read last
-  logic [1:0] ztest_read, ztest_write, scan_read, scan_write;
-  logic [2*Lanes*IndexBits-1:0] read_data;
-
-  always_ff @(posedge clk_i or negedge rst_ni) begin
-    if (!rst_ni) ztest_bank_q <= 1'b0;
-    else if (ztest_read_en_i) ztest_bank_q <= ztest_read_bank_i;
-  end
-
-  for (genvar bank = 0; bank < 2; bank++) begin : gen_bank
-    assign ztest_read[bank] = ztest_read_en_i && ztest_read_bank_i == 1'(bank);
-    assign ztest_write[bank] = |ztest_write_en_i && ztest_write_bank_i == 1'(bank);
-    assign scan_read[bank] = scan_read_en_i && scan_bank_i == 1'(bank);
-    assign scan_write[bank] = scan_write_en_i && scan_bank_i == 1'(bank);
-
-    always_ff @(posedge clk_i) begin
-      if (rst_ni) assert (!scan_write[bank] || !(ztest_read[bank] || ztest_write[bank]));
-    end
-
-    hs_ram_1r1w #(
-      .Width(Lanes * IndexBits),
-      .Depth(Depth),
-      .Lanes(Lanes)
-    ) u_ram (
-      .clk_i          (clk_i),
-      .read_en_i      (ztest_read[bank] || scan_read[bank]),
-      .read_address_i (ztest_read[bank] ? ztest_read_address_i : scan_address_i),
-      .read_data_o    (read_data[bank*Lanes*IndexBits +: Lanes*IndexBits]),
-      .write_en_i     (ztest_write[bank] ? ztest_write_en_i : {Lanes{scan_write[bank]}}),
-      .write_address_i(ztest_write[bank] ? ztest_write_address_i : scan_address_i),
-      .write_data_i   (ztest_write[bank] ? {Lanes{ztest_write_index_i}} : '0)
-    );
-  end
-
-  assign ztest_read_index_o = read_data[(ztest_bank_q ? Lanes * IndexBits : 0) +: Lanes*IndexBits];
-  assign scan_read_index_o = read_data[(scan_bank_i ? Lanes * IndexBits : 0) +: Lanes*IndexBits];
+  hs_double_buffer #(
+    .Width(Lanes * IndexBits),
+    .Depth(Depth),
+    .Lanes(Lanes)
+  ) u_banks (
+    .clk_i                (clk_i),
+    .rst_ni               (rst_ni),
+    .ztest_read_en_i      (ztest_read_en_i),
+    .ztest_read_bank_i    (ztest_read_bank_i),
+    .ztest_read_address_i (ztest_read_address_i),
+    .ztest_read_data_o    (ztest_read_index_o),
+    .ztest_write_en_i     (ztest_write_en_i),
+    .ztest_write_bank_i   (ztest_write_bank_i),
+    .ztest_write_address_i(ztest_write_address_i),
+    .ztest_write_data_i   ({Lanes{ztest_write_index_i}}),
+    .scan_bank_i          (scan_bank_i),
+    .scan_read_en_i       (scan_read_en_i),
+    .scan_write_en_i      (scan_write_en_i),
+    .scan_address_i       (scan_address_i),
+    .scan_read_data_o     (scan_read_index_o)
+  );
 endmodule
