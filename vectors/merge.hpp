@@ -30,7 +30,7 @@ struct MergeResult {
   std::vector<RawEntry> merged;  // as stored outside the stamps of the run; empty if nothing is sent
   std::uint64_t count = 0;       // pixels of the run's stamps that showed an object of the range
   ref::Box box;                  // of the stamps that have one, in pixels of the frame
-  std::uint64_t cycles = 0;      // that hs_ztest_merge takes where nothing makes it wait
+  std::uint64_t cycles = 0;      // of hs_ztest_merge, where nothing makes it wait, to its next run
 };
 
 class Merger {

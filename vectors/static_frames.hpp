@@ -23,8 +23,8 @@ struct StaticFramesOptions {
   int lanes = 4;
   int width = 0, height = 0;
   int buffers = 1;  // S-buffers; instance n is in number n mod buffers while it stands still
-  bool query =
-      true;  // an S-buffer is asked before it is changed; else each update is done, in the whole box of the object
+  // An S-buffer is asked before it is changed; else each update is done, in the whole box of the object.
+  bool query = true;
   int window = 0;  // of index reuse
 };
 
