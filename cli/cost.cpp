@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "cli/commands.hpp"
+#include "cli/numbers.hpp"
 #include "cli/sequence.hpp"
 #include "ref/error.hpp"
 #include "ref/static_instances.hpp"
@@ -226,7 +227,7 @@ void add_cost(CLI::App& app, int&) {
   command->add_option("SCENE", options->scene, "an animated scene (" + builtin_names() + ") or a mesh file with an animation")->required();
   command->add_option("--config", options->config, "of the frames")->capture_default_str();
   command->add_option("--size", options->size, "frame, WxH")->capture_default_str();
-  command->add_option("--first", options->first, "number of the first key frame")->capture_default_str()->check(CLI::NonNegativeNumber);
+  command->add_option("--first", options->first, "number of the first key frame")->capture_default_str()->check(zero_or_more());
   command->add_option("--lanes", options->lanes, "pixels a stamp: 1, 2, 4, 8, 16")->capture_default_str();
   command->add_option("--lights", options->lights, "of Phong shading, 1 to 4")->capture_default_str()->check(CLI::Range(1, 4));
   command->add_option("--json", options->json, "file for the numbers");

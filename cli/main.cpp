@@ -96,6 +96,9 @@ int main(int argc, char** argv) {
       "fixed-point kernels (hls); vector files carry every stream between two units to the co-simulation of the RTL.",
       "halfspace"};
   app.require_subcommand(1);
+  app.failure_message([](const CLI::App*, const CLI::Error& error) {
+    return fmt::format("halfspace: {}: --help tells the options\n", error.what());
+  });
   app.footer(
       "examples\n"
       "  halfspace render teapot -o teapot.png                         a picture by the kernels\n"

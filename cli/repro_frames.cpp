@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "cli/numbers.hpp"
 #include "cli/repro_frames.hpp"
 
 #include <fmt/format.h>
@@ -125,7 +126,7 @@ void add_repro_frames(CLI::App* repro) {
   for (const Kind& kind : kKinds) names.emplace_back(kind.name);
   paper->add_option("KIND", options->kinds, "gouraud, textured, supersampled, supersampled_textured; default: all four")->check(CLI::IsMember(names));
   paper->add_option("--size", options->size, "frame, WxH")->capture_default_str();
-  paper->add_option("--frames", options->frames, "of each animation; default: all")->check(CLI::PositiveNumber);
+  paper->add_option("--frames", options->frames, "of each animation; default: all")->check(above_zero());
   paper->add_option("--out", options->out, "folder for the plots of blocks");
   paper->add_option("--json", options->json, "file for the numbers");
   paper->callback([options] { repro_c(*options); });

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "cli/numbers.hpp"
 #include "cli/repro_static.hpp"
 
 #include <fmt/format.h>
@@ -173,7 +174,7 @@ void add_repro_static(CLI::App& repro) {
   CLI::App* paper = repro.add_subcommand("E", "static objects buffer");
   paper->add_option("--objects", x.crowd.objects, "of 4,512 triangles each")->capture_default_str();
   paper->add_option("--moving", x.moving, "objects that move, each number in turn")->capture_default_str();
-  paper->add_option("--frames", x.frames, "of each number")->capture_default_str()->check(CLI::PositiveNumber);
+  paper->add_option("--frames", x.frames, "of each number")->capture_default_str()->check(above_zero());
   paper->add_option("--full-frames", x.full_frames, "of these, drawn as a whole too, and compared")
       ->capture_default_str();
   paper->add_option("--layers", x.crowd.layers, "objects that a line of sight meets, about")->capture_default_str();

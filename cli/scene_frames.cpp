@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "cli/numbers.hpp"
 #include "cli/scene_frames.hpp"
 
 #include <fmt/format.h>
@@ -33,7 +34,7 @@ void add_frame_options(CLI::App* command, FrameInput& input) {
   command->add_option("SCENE", input.scene, "a built-in scene (" + builtin_names() + "), a mesh file or a screen-space *.tri")->required();
   command->add_option("--size", input.size, "frame, WxH; a *.tri has its own")->capture_default_str();
   command->add_option("--frames", input.frames, "frames A:B of the animation, from 0 on; default: all");
-  command->add_option("--rate", input.rate, "frames a second")->capture_default_str()->check(CLI::PositiveNumber);
+  command->add_option("--rate", input.rate, "frames a second")->capture_default_str()->check(above_zero());
 }
 
 vectors::FitScene load_frames(const FrameInput& input) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "cli/numbers.hpp"
 #include "cli/sequence.hpp"
 
 #include <fmt/format.h>
@@ -165,8 +166,8 @@ void add_sequence_options(CLI::App* command, SequenceOptions& o) {
   command->add_option("--motion", o.motion, "of the motion: a .toml file with shading = \"motion\"; default: made for --config");
   command->add_option("--set", o.set, "a number of the motion's configuration, like weight_bits=4");
   command->add_option("--size", o.size, "frame, WxH")->capture_default_str();
-  command->add_option("--first", o.first, "first frame of the animation")->capture_default_str()->check(CLI::NonNegativeNumber);
-  command->add_option("--frames", o.frames, "how many; default: to the end of the animation")->check(CLI::PositiveNumber);
+  command->add_option("--first", o.first, "first frame of the animation")->capture_default_str()->check(zero_or_more());
+  command->add_option("--frames", o.frames, "how many; default: to the end of the animation")->check(above_zero());
   command->add_option("--filter", o.filter, "of key frames")->check(CLI::IsMember({"nearest", "bilinear", "area", "bicubic"}));
   command->add_option("--mapping", o.mapping, "of places in key frames: affine on the screen, or perspective (default)")
       ->check(CLI::IsMember({"affine", "perspective"}));

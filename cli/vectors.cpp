@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "cli/commands.hpp"
+#include "cli/numbers.hpp"
 #include "cli/progress.hpp"
 #include "cli/scene_input.hpp"
 #include "ref/error.hpp"
@@ -183,16 +184,16 @@ void add_vectors(CLI::App& app, int&) {
   command->add_option("--out", options->out, "folder to write")->required();
   command->add_option("--seed", options->seed, "of the random frames")->capture_default_str();
   command->add_flag("--corners,!--no-corners", options->corners, "corner cases and random frames before the scene");
-  command->add_option("--random", options->random, "random frames")->capture_default_str()->check(CLI::NonNegativeNumber);
+  command->add_option("--random", options->random, "random frames")->capture_default_str()->check(zero_or_more());
   command->add_option("--random-triangles", options->random_triangles, "triangles of a random frame")
       ->capture_default_str()
-      ->check(CLI::NonNegativeNumber);
+      ->check(zero_or_more());
   command->add_option("--window", options->input.window, "use indices of invisible triangles again: a triangle takes that of the one so many before it")
-      ->check(CLI::NonNegativeNumber);
+      ->check(zero_or_more());
   command->add_flag("--compensation", options->compensation, "the streams of motion_compensate, for a frame of SCENE between the keys of --interval");
-  command->add_option("--frames", options->frames, "of `static`")->capture_default_str()->check(CLI::PositiveNumber);
+  command->add_option("--frames", options->frames, "of `static`")->capture_default_str()->check(above_zero());
   command->add_option("--objects", options->objects, "of `static`, and one more")->capture_default_str()->check(CLI::Range(1, 16));
-  command->add_option("--buffers", options->buffers, "of `static`: S-buffers")->capture_default_str()->check(CLI::PositiveNumber);
+  command->add_option("--buffers", options->buffers, "of `static`: S-buffers")->capture_default_str()->check(above_zero());
   command->add_flag("--query,!--no-query", options->query, "of `static`: an S-buffer is asked before it is changed");
   command->add_option("--json", options->json, "file for a copy of the manifest");
   command->callback([options] { write_vectors(*options); });
