@@ -23,12 +23,12 @@ ref::Scene only(const ref::Scene& scene, const std::vector<bool>& left_out) {
 
 FitObjects choose_objects(Config& c, const FitScene& scene, const std::function<std::uint64_t(const FitScene&, const Config&)>& cycles_of) {
   FitObjects found;
-  const auto none = [&](std::string why) {
+  const auto because = [&](std::string why) {
     found.why = std::move(why);
     return found;
   };
-  if (!has_depth(c)) return none("no depth is compared");
-  if (scene.scenes.size() < 2) return none("one frame has no motion");
+  if (!has_depth(c)) return because("no depth is compared");
+  if (scene.scenes.size() < 2) return because("one frame has no motion");
   found.objects = scene.scenes.front()->instances.size();
   const double aspect = double(scene.width) / scene.height;
   FitScene moving = scene;
@@ -52,17 +52,17 @@ FitObjects choose_objects(Config& c, const FitScene& scene, const std::function<
     moving.frames.push_back([part = only(now, stands)](const ref::View& view) { return ref::project(part, view); });
     before = now;
   }
-  if (found.moving == 0) return none("nothing moves");
-  if (found.standing == 0) return none("in some frame nothing stands still, or the viewpoint or a light moves");
+  if (found.moving == 0) return because("nothing moves");
+  if (found.standing == 0) return because("in some frame nothing stands still, or the viewpoint or a light moves");
   Config numbered = c;
   numbered.object_bits = bits_for(int(found.objects));
-  if (const Refusal reason = refusal(numbered); reason != Refusal::kNone) return none("refused: " + refusal_text(reason));
+  if (const Refusal reason = refusal(numbered); reason != Refusal::kNone) return because("refused: " + refusal_text(reason));
   found.cycles_all = cycles_of(scene, c), found.cycles_moving = cycles_of(moving, numbered);
   if (found.cycles_moving >= found.cycles_all) {
-    return none(fmt::format("what moves takes {} cycles a frame, no fewer than all of it", found.cycles_moving));
+    return because(fmt::format("what moves takes {} cycles a frame, no fewer than all of it", found.cycles_moving));
   }
   c = numbered;
-  return none(fmt::format("what moves, {} of {} objects at most, takes {} cycles a frame, all of it {}", found.moving, found.objects,
+  return because(fmt::format("what moves, {} of {} objects at most, takes {} cycles a frame, all of it {}", found.moving, found.objects,
                           found.cycles_moving, found.cycles_all));
 }
 
