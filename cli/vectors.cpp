@@ -76,13 +76,11 @@ vectors::VectorSetOptions set_of(const Options& options, const vectors::Configur
   set.configuration = configuration;
   set.lanes = options.lanes ? options.lanes : configuration.config().lanes;
   set.seed = options.seed;
-  set.window = options.input.window;
   return set;
 }
 
 void write_compensation(const Options& options, const vectors::Configuration& configuration) {
-  vectors::VectorSetOptions set = set_of(options, configuration);
-  set.window = 0;
+  const vectors::VectorSetOptions set = set_of(options, configuration);
   Progress progress("vectors " + set.scene);
   tell(options, configuration,
        vectors::write_compensation_set(options.out, set,
@@ -92,8 +90,7 @@ void write_compensation(const Options& options, const vectors::Configuration& co
 }
 
 void write_merge(const Options& options, const vectors::Configuration& configuration) {
-  vectors::VectorSetOptions set = set_of(options, configuration);
-  set.window = 0;
+  const vectors::VectorSetOptions set = set_of(options, configuration);
   vectors::Merger(configuration, set.lanes);  // refuses a configuration without objects
   Progress progress("vectors merge");
   tell(options, configuration, vectors::write_merge_set(options.out, set, vectors::merge_frames(configuration.config(), options.seed),
@@ -102,19 +99,20 @@ void write_merge(const Options& options, const vectors::Configuration& configura
 
 // Two sets: the passes of a sequence at the ports of hs_pipeline, and the runs of ztest_merge.
 void write_static(const Options& options, const vectors::Configuration& configuration) {
-  vectors::VectorSetOptions set = set_of(options, configuration);
-  set.ports = true;
+  const vectors::VectorSetOptions of_runs = set_of(options, configuration);
+  vectors::VectorSetOptions of_passes = of_runs;
+  of_passes.ports = true;
+  of_passes.window = options.input.window;
   const FrameSize size = parse_size(options.input.size.empty() ? "20x16" : options.input.size);
   const vectors::StaticSequence sequence = vectors::static_sequence(
-      {configuration, set.lanes, size.width, size.height, options.buffers, options.query, set.window}, options.objects, options.frames, options.seed);
+      {configuration, of_passes.lanes, size.width, size.height, options.buffers, options.query, of_passes.window}, options.objects, options.frames, options.seed);
   Progress progress("vectors static");
   const auto told = [&](std::size_t done, std::size_t total) { progress.tell(done, total); };
   Options part = options;
   part.out = options.out + "/pipeline";
-  tell(part, configuration, vectors::write_vector_set(part.out, set, sequence.passes, told));
+  tell(part, configuration, vectors::write_vector_set(part.out, of_passes, sequence.passes, told));
   part.out = options.out + "/merge", part.json.clear();
-  set.window = 0;
-  tell(part, configuration, vectors::write_merge_set(part.out, set, sequence.runs, told));
+  tell(part, configuration, vectors::write_merge_set(part.out, of_runs, sequence.runs, told));
 }
 
 void write_vectors(const Options& options) {
@@ -162,6 +160,7 @@ void write_vectors(const Options& options) {
 
   vectors::VectorSetOptions set = set_of(options, configuration);
   if (!corners) set.seed = 0;
+  set.window = options.input.window;
   Progress progress("vectors " + set.scene);
   const std::string manifest = vectors::write_vector_set(
       options.out, set, frames, [&](std::size_t done, std::size_t total) { progress.tell(done, total); });

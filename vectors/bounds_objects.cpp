@@ -12,7 +12,7 @@ std::uint64_t key_of(const RawEntry& e) { return ref::object_key(e.depth, e.obje
 
 // Entries whose depths and objects are often equal; background among them.
 std::vector<RawEntry> random_entries(std::mt19937_64& random, std::size_t count, const Config& c) {
-  const std::uint32_t most = (1u << c.object_bits) - 1, farthest = (1u << (c.depth_bits - 1)) * 2 - 1;
+  const std::uint32_t most = (1u << c.object_bits) - 1, farthest = ref::full_depth(c.depth_bits);
   const auto below = [&](std::uint32_t n) { return std::uint32_t(random() % (std::uint64_t(n) + 1)); };
   std::vector<RawEntry> entries(count);
   for (RawEntry& e : entries) {
@@ -37,7 +37,7 @@ void measure_merges(const Configuration& configuration, std::uint64_t seed, Boun
     MergeInput input{width, height, {0, 0, width, height}, &stored, &drawn};
     input.first = 1 + std::uint32_t(random() % most), input.last = std::min<std::uint32_t>(most, input.first + number % 3);
     input.background = {std::uint8_t((1 << c.colour_bits) - 1), 0, 1};
-    const RawEntry background{std::uint32_t(ref::full_depth(c.depth_bits)), 0, input.background};
+    const RawEntry background{ref::full_depth(c.depth_bits), 0, input.background};
     const MergeResult result = merger.run(input);
     std::uint64_t found = 0;
     for (std::size_t n = 0; n < pixels; ++n) {

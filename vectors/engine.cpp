@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "ref/error.hpp"
 
@@ -36,15 +37,21 @@ bool is_compiled(const Configuration& configuration) {
   return std::any_of(named.begin(), named.end(), [&](const Configuration& c) { return is_named(configuration, c); });
 }
 
+void check_lanes(int lanes) {
+  const int all[] = {1, 2, 4, 8, 16};
+  if (std::find(std::begin(all), std::end(all), lanes) == std::end(all)) {
+    throw ref::Error(fmt::format("there is no stamp of {} lanes: use 1, 2, 4, 8 or 16", lanes));
+  }
+}
+
 std::unique_ptr<Engine> make_engine(const Configuration& configuration, int lanes) {
+  check_lanes(lanes);
   const Config config = configuration.config();
   const auto& named = named_configurations();
-  std::unique_ptr<Engine> engine = is_named(configuration, named[0])   ? make_engine_low(lanes)
-                                   : is_named(configuration, named[1]) ? make_engine_middle(lanes)
-                                   : is_named(configuration, named[2]) ? make_engine_high(lanes)
-                                                                       : make_runtime_engine(config, format_table(config), lanes);
-  if (!engine) throw ref::Error(fmt::format("there is no stamp of {} lanes: use 1, 2, 4, 8 or 16", lanes));
-  return engine;
+  return is_named(configuration, named[0])   ? make_engine_low(lanes)
+         : is_named(configuration, named[1]) ? make_engine_middle(lanes)
+         : is_named(configuration, named[2]) ? make_engine_high(lanes)
+                                             : make_runtime_engine(config, format_table(config), lanes);
 }
 
 std::unique_ptr<Engine> make_engine(const std::string& name_or_path, int lanes) {

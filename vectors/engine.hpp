@@ -73,6 +73,9 @@ class Engine {
 // Are its kernels compiled? Those of the named configurations are, with any number of lanes.
 bool is_compiled(const Configuration& configuration);
 
+// Throws ref::Error for a number of lanes that no stamp has.
+void check_lanes(int lanes);
+
 // `lanes` is 1, 2, 4, 8 or 16. Throws ref::Error for a name or number that there is not. Named configurations are
 // compiled; any other is simulated with formats read at run time, several times slower and equal to the bit.
 std::unique_ptr<Engine> make_engine(const Configuration& configuration, int lanes);

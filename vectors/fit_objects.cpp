@@ -2,9 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
-#include "ref/static_instances.hpp"
 #include "ref/geometry.hpp"
+#include "ref/static_instances.hpp"
 #include "vectors/fit.hpp"
 
 namespace halfspace::vectors {
@@ -44,13 +45,13 @@ FitObjects choose_objects(Config& c, const FitScene& scene, const std::function<
   };
   ref::Scene before = held(0);
   for (std::size_t k = 1; k < times.size(); ++k) {
-    const ref::Scene now = held(k);
+    ref::Scene now = held(k);
     const std::vector<bool> stands = ref::same_instances(before, now, aspect);
     const std::size_t standing = std::size_t(std::count(stands.begin(), stands.end(), true));
     found.standing = k == 1 ? standing : std::min(found.standing, standing);
     found.moving = std::max(found.moving, stands.size() - standing);
     moving.frames.push_back([part = only(now, stands)](const ref::View& view) { return ref::project(part, view); });
-    before = now;
+    before = std::move(now);
   }
   if (found.moving == 0) return because("nothing moves");
   if (found.standing == 0) return because("in some frame nothing stands still, or the viewpoint or a light moves");
@@ -63,7 +64,7 @@ FitObjects choose_objects(Config& c, const FitScene& scene, const std::function<
   }
   c = numbered;
   return because(fmt::format("what moves, {} of {} objects at most, takes {} cycles a frame, all of it {}", found.moving, found.objects,
-                          found.cycles_moving, found.cycles_all));
+                             found.cycles_moving, found.cycles_all));
 }
 
 }  // namespace halfspace::vectors

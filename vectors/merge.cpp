@@ -26,14 +26,14 @@ void check(const MergeInput& input, const Configuration& configuration) {
     refuse("its box is empty, or not inside the frame: cut it");
   }
   if (input.first >> c.object_bits != 0 || input.last >> c.object_bits != 0) refuse("an object of its range has no number: raise object_bits");
-  for (const auto* buffer : {input.stored, input.drawn}) {
-    if (buffer == nullptr && buffer != input.stored) continue;
-    if (buffer == nullptr || buffer->size() != std::size_t(input.width) * input.height) refuse("a buffer is not of the size of the frame");
-    const auto fits = [&](const RawEntry& e) {
-      return e.depth >> (c.depth_bits - 1) >> 1 == 0 && e.object >> c.object_bits == 0;
-    };
-    if (!std::all_of(buffer->begin(), buffer->end(), fits)) refuse("an entry has no room in its word: raise object_bits");
-  }
+  const auto check_buffer = [&](const std::vector<RawEntry>& buffer) {
+    if (buffer.size() != std::size_t(input.width) * input.height) refuse("a buffer is not of the size of the frame");
+    const auto fits = [&](const RawEntry& e) { return e.depth <= ref::full_depth(c.depth_bits) && e.object >> c.object_bits == 0; };
+    if (!std::all_of(buffer.begin(), buffer.end(), fits)) refuse("an entry has no room in its word: raise object_bits");
+  };
+  if (!input.stored) refuse("nothing is stored: give it an S-buffer");
+  check_buffer(*input.stored);
+  if (input.drawn) check_buffer(*input.drawn);
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ Merger::Merger(const Configuration& configuration, int lanes)
   if (!has_objects(configuration.config())) {
     throw ref::Error(fmt::format("configuration {} knows no objects: take one with object_bits", configuration.name()));
   }
-  make_engine(configuration, lanes);  // refuses a number of lanes that there is not
+  check_lanes(lanes);
 }
 
 MergeResult Merger::run(const MergeInput& input, std::vector<StreamWords>* streams) const {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hls/ztest_merge.hpp"
+#include "ref/snap.hpp"
 #include "vectors/merge.hpp"
 
 namespace halfspace::vectors {
@@ -16,7 +17,7 @@ E entry_record(const std::vector<RawEntry>& buffer, const MergeInput& input, int
   out.last = from_raw<Bit>(last);
   out.x = from_raw<typename F::X>(x);
   out.y = from_raw<typename F::Y>(y);
-  const RawEntry beyond{(1u << (F::kDepthBits - 1)) * 2 - 1, 0, input.background};
+  const RawEntry beyond{ref::full_depth(F::kDepthBits), 0, input.background};
   for (int l = 0; l < F::kLanes; ++l) {
     const int column = x * F::kLanesX + l % F::kLanesX, row = y * F::kLanesY + l / F::kLanesX;
     const bool inside = column < input.width && row < input.height;
