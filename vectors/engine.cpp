@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "vectors/engine.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <iterator>
-
-#include "ref/error.hpp"
 
 namespace halfspace::vectors {
 
@@ -35,13 +30,6 @@ bool is_named(const Configuration& configuration, const Configuration& named) {
 bool is_compiled(const Configuration& configuration) {
   const auto& named = named_configurations();
   return std::any_of(named.begin(), named.end(), [&](const Configuration& c) { return is_named(configuration, c); });
-}
-
-void check_lanes(int lanes) {
-  const int all[] = {1, 2, 4, 8, 16};
-  if (std::find(std::begin(all), std::end(all), lanes) == std::end(all)) {
-    throw ref::Error(fmt::format("there is no stamp of {} lanes: use 1, 2, 4, 8 or 16", lanes));
-  }
 }
 
 std::unique_ptr<Engine> make_engine(const Configuration& configuration, int lanes) {

@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "ref/error.hpp"
 #include "vectors/engine_impl.hpp"
 #include "vectors/runtime_formats.hpp"
 
@@ -76,6 +82,13 @@ class RuntimeEngine : public Engine {
 };
 
 }  // namespace
+
+void check_lanes(int lanes) {
+  const int all[] = {1, 2, 4, 8, 16};
+  if (std::find(std::begin(all), std::end(all), lanes) == std::end(all)) {
+    throw ref::Error(fmt::format("there is no stamp of {} lanes: use 1, 2, 4, 8 or 16", lanes));
+  }
+}
 
 std::unique_ptr<Engine> make_runtime_engine(const Config& config, const FormatTable& table, int lanes) {
   return with_stamp<std::unique_ptr<Engine>>(lanes, [&](auto stamp) -> std::unique_ptr<Engine> {
