@@ -32,6 +32,24 @@ def layers(path):
     path.write_text("\n".join(lines) + "\n")
 
 
+def run_bench(program, folder, stall, seed):
+    """What the bench says of the vectors of a folder, and the runs of its report. Ends the test where it fails, where a stream has no
+    words and where one mismatches."""
+    report = folder / "report.json"
+    report.unlink(missing_ok=True)
+    code, text = run([program, str(folder), "--seed", str(seed), "--stall", str(stall), "--json", str(report)])
+    if code or not report.exists():
+        raise SystemExit(f"{text}\nseed {seed}: {program} failed with status {code}")
+    runs = json.loads(report.read_text())["runs"]
+    for one in runs:
+        bad = [s["name"] for s in one["streams"] if s["words"] == 0 or s["mismatches"] != 0]
+        if bad or not one["streams"] or one["mismatches"] or one["failures"] or not one["passed"]:
+            raise SystemExit(f"{text}\nseed {seed}, {one['unit']}: streams {bad or 'none'} without words or with mismatches")
+    if not runs:
+        raise SystemExit(f"{text}\nseed {seed}: {program} reports no unit")
+    return text, runs
+
+
 COUNTED = ("triangles", "reduced_triangles", "fragments", "reduced_fragments", "visible_pixels")
 ACCESSES = ("entry_bits", "read", "written", "bytes_read", "bytes_written")
 
@@ -126,22 +144,10 @@ def main():
     print(text, end="")
     if code:
         return code
-    report = folder / "report.json"
     words = 0
     for seed in range(1, args.seeds + 1):
-        report.unlink(missing_ok=True)
-        code, text = run([args.program, str(folder), "--seed", str(seed), "--stall", str(args.stall), "--json", str(report)])
-        if code or not report.exists():
-            print(text, end="")
-            print(f"seed {seed}: {args.program} failed with status {code}")
-            return 1
-        runs = json.loads(report.read_text())["runs"]
+        text, runs = run_bench(args.program, folder, args.stall, seed)
         for one in runs:
-            bad = [s["name"] for s in one["streams"] if s["words"] == 0 or s["mismatches"] != 0]
-            if bad or not one["streams"] or one["mismatches"] or one["failures"] or not one["passed"]:
-                print(text, end="")
-                print(f"seed {seed}, {one['unit']}: streams {bad or 'none'} without words or with mismatches")
-                return 1
             words += one["words"]
             # Counted at the RTL's streams, in the kernels and by the reference; of a scene alone.
             if seed == 1 and one["unit"] == "pipeline" and "--no-corners" in own:
