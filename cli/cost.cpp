@@ -123,32 +123,23 @@ Cost made(const char* name, const FrontEnd& front, double picture_pixels, const 
   return cost;
 }
 
-// Those of the instances for which `which` is `value`.
-ref::TriangleList of_instances(const ref::TriangleList& all, const ref::Scene& scene, const std::vector<bool>& which, bool value) {
-  const std::vector<std::uint32_t> instance = ref::instances_of_faces(scene);
-  ref::TriangleList out{all.width, all.height, all.background, {}, {}};
-  for (std::size_t k = 0; k < all.triangles.size(); ++k) {
-    if (which[instance[all.face[k]]] == value) out.triangles.push_back(all.triangles[k]);
-  }
-  return out;
-}
-
 // A frame with an S-buffer, of which an entry {depth, object, colour} a pixel is read, rendered and made of keys, and last the drawing of
 // that buffer, which writes them. Each merge takes a stamp a cycle.
 std::vector<Cost> with_static_buffer(const vectors::KernelUpConversion& mode, const ref::Scene& first, const ref::Scene& between,
                                const ref::Scene& second, const std::vector<bool>& still, double picture_pixels, const Options& options) {
   const Config colour = mode.colour.config();
   const int samples = mode.motion.config().samples;
-  const ref::TriangleList all =
-      ref::project(between, {mode.width * samples, mode.height * samples, colour.range_bits, colour.subpixel_bits});
+  const ref::View view{mode.width * samples, mode.height * samples, colour.range_bits, colour.subpixel_bits};
   vectors::KernelUpConversion with = mode;
   with.static_buffer = true;
   vectors::KernelUpConverter converter(with);
   converter.set_keys(first, second);
-  const FrontEnd moving = front_end(mode.colour, of_instances(all, between, still, false), options.lanes);
-  const FrontEnd standing = front_end(mode.colour, of_instances(all, between, still, true), options.lanes);
+  std::vector<bool> moves = still;
+  moves.flip();
+  const FrontEnd moving = front_end(mode.colour, ref::project(ref::without(between, still), view), options.lanes);
+  const FrontEnd standing = front_end(mode.colour, ref::project(ref::without(between, moves), view), options.lanes);
   const double entry = colour.depth_bits + bits_for(still.size()) + 3 * colour.colour_bits;
-  const double entries = double(all.width) * all.height * entry / 8 / picture_pixels;
+  const double entries = double(view.width) * view.height * entry / 8 / picture_pixels;
   const bool one = samples == 1;
   std::vector<Cost> costs{
       rendered(one ? "rendered, Gouraud, S-buffer" : "rendered, 4x4, Gouraud, S-buffer", moving, picture_pixels, false, 0),

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/numbers.hpp"
 #include "cli/repro_frames.hpp"
 
 #include <fmt/format.h>
@@ -9,6 +8,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "cli/numbers.hpp"
 #include "cli/sequence_quality.hpp"
 #include "cli/video.hpp"
 #include "ref/error.hpp"

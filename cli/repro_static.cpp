@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/numbers.hpp"
 #include "cli/repro_static.hpp"
 
 #include <fmt/format.h>
@@ -10,6 +9,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/gnuplot.hpp"
+#include "cli/numbers.hpp"
 #include "cli/picture.hpp"
 #include "cli/progress.hpp"
 #include "vectors/static_experiment.hpp"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/numbers.hpp"
 #include "cli/scene_frames.hpp"
 
 #include <fmt/format.h>
@@ -8,6 +7,7 @@
 #include <cmath>
 #include <memory>
 
+#include "cli/numbers.hpp"
 #include "cli/scene_input.hpp"
 #include "ref/error.hpp"
 #include "ref/scene.hpp"

@@ -18,6 +18,12 @@ namespace halfspace {
 using Bit = ufix<1, 1>;
 using VertexNumber = ufix<2, 2>;  // 0 … 2
 
+// Of a pixel that shows the background: 2^b − 1.
+template <class F>
+typename F::Depth farthest_depth() {
+  return from_raw<typename F::Depth>((std::int64_t(1) << F::kDepthBits) - 1);
+}
+
 // A frame's registers: stable from its first triangle to its last pixel.
 template <class F>
 struct Frame {

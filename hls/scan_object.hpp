@@ -25,7 +25,7 @@ void scan_object(Stream<Scan<F>>& scan, DepthBuffer<F>& depth_buffer, const Obje
                  Stream<ObjectPixel<F>>& object_pixel) {
   const Scan<F> in = scan.read();
   typename F::Depth* const stored = depth_buffer.depth[int(raw(in.y)) * F::kStampsX + int(raw(in.x))];
-  const typename F::Depth farthest = from_raw<typename F::Depth>((std::int64_t(1) << F::kDepthBits) - 1);
+  const typename F::Depth farthest = farthest_depth<F>();
   ObjectPixel<F> out;
   out.last = in.last;
   out.x = in.x;

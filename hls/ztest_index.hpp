@@ -19,7 +19,7 @@ template <class F>
 void ztest_index(Stream<Stamp<F>>& stamp, IndexBuffer<F>& index_buffer, DepthBuffer<F>& depth_buffer,
                  Probe<Update<F>>& update, Stream<Visible<F>>& visible) {
   using Depth = typename F::Depth;
-  const typename Depth::Carrier farthest = raw(from_raw<Depth>((std::int64_t(1) << F::kDepthBits) - 1));
+  const typename Depth::Carrier farthest = raw(farthest_depth<F>());
   bool any_of_triangle = false;
   bool done = false;
 Stamps:

@@ -33,7 +33,7 @@ void ztest_merge(Stream<Merge<F>>& merge, Stream<StoredEntry<F>>& stored, Stream
   using Object = typename F::Object;
   using Colour = typename F::Colour;
   const Merge<F> run = merge.read();
-  const typename Depth::Carrier farthest = raw(from_raw<Depth>((std::int64_t(1) << F::kDepthBits) - 1));
+  const typename Depth::Carrier farthest = raw(farthest_depth<F>());
   int count = 0, x_first = 0, x_last = 0, y_first = 0, y_last = 0;
   bool done = false;
 Stamps:

@@ -46,7 +46,7 @@ void ztest_plane(Stream<Stamp<F>>& stamp, Stream<TriangleDepth<F>>& triangle_dep
   using Depth = typename F::Depth;
   using Index = typename F::Index;
   const DepthEntry<F> entry = depth_entry(triangle_depth.read());
-  const Depth farthest = from_raw<Depth>((std::int64_t(1) << F::kDepthBits) - 1);
+  const Depth farthest = farthest_depth<F>();
   PlaneTests cost{1, 0};
   bool any_of_triangle = false;
   bool done = false;

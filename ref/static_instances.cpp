@@ -70,6 +70,15 @@ std::vector<bool> static_instances(const Scene& first, const Scene& second, cons
   return result;
 }
 
+Scene without(const Scene& scene, const std::vector<bool>& left_out) {
+  Scene result = scene;
+  result.instances.clear();
+  for (std::size_t n = 0; n < scene.instances.size(); ++n) {
+    if (!left_out[n]) result.instances.push_back(scene.instances[n]);
+  }
+  return result;
+}
+
 std::vector<std::uint32_t> instances_of_faces(const Scene& scene) {
   std::vector<std::uint32_t> result{0};
   for (std::uint32_t n = 0; n < scene.instances.size(); ++n)

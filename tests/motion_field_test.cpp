@@ -33,7 +33,7 @@ struct Field {
 
 Field field_of(vectors::Engine& engine, const ref::SnappedList& list, const vectors::MotionFrame& words) {
   engine.move(words);
-  return {list, words, engine.render(list).index, engine.motion(list)};
+  return {list, words, engine.render(list).index, engine.motion(list, nullptr)};
 }
 
 ref::View view_of(const ref::RasterFormat& format, int width, int height) {

@@ -83,9 +83,7 @@ int expect_native(const vectors::Configuration& configuration) {
   const auto streams_of = [&](vectors::Engine& engine) {
     Texts texts;
     for (const vectors::NamedFrame& frame : frames) {
-      std::vector<std::uint32_t> objects;
-      for (std::size_t k = 0; has_objects(config) && k < frame.scene.triangles.size(); ++k) objects.push_back(1 + std::uint32_t(k / 3));
-      if (has_objects(config)) engine.number(objects);
+      vectors::load_frame(engine, config, frame);
       engine.capture(frame.scene, [&](const vectors::Layout& layout, const vectors::Word* words, std::size_t count) {
         for (std::size_t n = 0; n < count; ++n) vectors::append_hex(texts[layout.stream] += ' ', words[n], layout.bits);
       });

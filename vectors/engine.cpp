@@ -33,7 +33,6 @@ bool is_compiled(const Configuration& configuration) {
 }
 
 std::unique_ptr<Engine> make_engine(const Configuration& configuration, int lanes) {
-  check_lanes(lanes);
   const Config config = configuration.config();
   const auto& named = named_configurations();
   return is_named(configuration, named[0])   ? make_engine_low(lanes)

@@ -58,8 +58,9 @@ class Engine {
   virtual ref::Frame render(const ref::SnappedList& scene) = 0;
   // The picture alone.
   virtual void render_colour(const ref::SnappedList& scene, std::vector<std::array<std::uint8_t, 4>>& colour) = 0;
-  // Of a motion configuration the motion field: the words of `motion`, one a pixel that shows a face.
-  virtual std::vector<RawMotion> motion(const ref::SnappedList& scene) = 0;
+  // Of a motion configuration the motion field: the words of `motion`, one a pixel that shows a face. `frame`, unless it is null, takes
+  // the index and the depth of each pixel.
+  virtual std::vector<RawMotion> motion(const ref::SnappedList& scene, ref::Frame* frame) = 0;
   // Of a configuration with objects the frame as `entry` has it, row by row.
   virtual std::vector<RawEntry> entries(const ref::SnappedList& scene) = 0;
   // How many stamps the rasterizer visits for each triangle, covered or not: its cycles.
@@ -73,8 +74,11 @@ class Engine {
 // Are its kernels compiled? Those of the named configurations are, with any number of lanes.
 bool is_compiled(const Configuration& configuration);
 
-// Throws ref::Error for a number of lanes that no stamp has.
-void check_lanes(int lanes);
+// A stamp, in pixels. Throws ref::Error for a number of lanes that none has.
+struct StampSize {
+  int x, y;
+};
+StampSize stamp_size(int lanes);
 
 // `lanes` is 1, 2, 4, 8 or 16. Throws ref::Error for a name or number that there is not. Named configurations are
 // compiled; any other is simulated with formats read at run time, several times slower and equal to the bit.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstring>
 #include <memory>
+#include <string>
 
 #include "hls/pipeline.hpp"
 #include "ref/error.hpp"
@@ -13,6 +14,7 @@
 #include "vectors/engine.hpp"
 #include "vectors/lighting_records.hpp"
 #include "vectors/motion_records.hpp"
+#include "vectors/object_records.hpp"
 #include "vectors/texture_records.hpp"
 
 namespace halfspace::vectors {
@@ -70,8 +72,6 @@ class KernelEngine : public Engine {
 
   ref::Frame render(const ref::SnappedList& scene) override {
     ref::Frame frame;
-    frame.width = scene.width;
-    frame.height = scene.height;
     draw(scene, &frame.visible);
     copy_buffers(scene, frame);
     scan(scene, frame.colour);
@@ -83,10 +83,11 @@ class KernelEngine : public Engine {
     scan(scene, colour);
   }
 
-  std::vector<RawMotion> motion(const ref::SnappedList& scene) override {
+  std::vector<RawMotion> motion(const ref::SnappedList& scene, ref::Frame* frame) override {
     std::vector<Motion<F>> words;
     streams_->motion.tap(&words);
     draw(scene, nullptr);
+    if (frame) copy_buffers(scene, *frame);
     std::vector<std::array<std::uint8_t, 4>> colour;
     scan(scene, colour);
     streams_->motion.tap(nullptr);
@@ -105,14 +106,7 @@ class KernelEngine : public Engine {
     render_colour(scene, colour);
     streams_->entry.tap(nullptr);
     std::vector<RawEntry> out(std::size_t(scene.width) * scene.height);
-    for (const Entry<F>& word : words) {
-      for (int l = 0; l < F::kLanes; ++l) {
-        const int x = int(raw(word.x)) * F::kLanesX + l % F::kLanesX, y = int(raw(word.y)) * F::kLanesY + l / F::kLanesX;
-        if (x >= scene.width || y >= scene.height) continue;
-        out[std::size_t(y) * scene.width + x] = {std::uint32_t(raw(word.depth[l])), std::uint32_t(raw(word.object[l])),
-                                                 {std::uint8_t(raw(word.r[l])), std::uint8_t(raw(word.g[l])), std::uint8_t(raw(word.b[l]))}};
-      }
-    }
+    for (const Entry<F>& word : words) put_entry(word, scene.width, scene.height, out);
     return out;
   }
 
@@ -309,6 +303,8 @@ class KernelEngine : public Engine {
 
   // The I-buffer, before the scan-out clears it, and the depths: of the Z-buffer or of TdbV.
   void copy_buffers(const ref::SnappedList& scene, ref::Frame& frame) const {
+    frame.width = scene.width;
+    frame.height = scene.height;
     frame.index.resize(std::size_t(scene.width) * scene.height);
     frame.depth.resize(frame.index.size());
     const std::uint32_t farthest = ref::full_depth(F::kDepthBits);
@@ -367,7 +363,7 @@ class KernelEngine : public Engine {
   std::vector<std::uint32_t> objects_;
 };
 
-// make(stamp) for the stamp of this many lanes; nothing if there is none.
+// make(stamp) for the stamp of this many lanes. Throws ref::Error if there is none.
 template <class Result, class Make>
 Result with_stamp(int lanes, Make make) {
   switch (lanes) {
@@ -377,10 +373,10 @@ Result with_stamp(int lanes, Make make) {
     case 8: return make(Stamp8());
     case 16: return make(Stamp16());
   }
-  return {};
+  throw ref::Error("there is no stamp of " + std::to_string(lanes) + " lanes: use 1, 2, 4, 8 or 16");
 }
 
-// Engine of configuration C with the given number of lanes; null if there is no such stamp.
+// Engine of configuration C with the given number of lanes.
 template <class C>
 std::unique_ptr<Engine> make_kernel_engine(int lanes) {
   return with_stamp<std::unique_ptr<Engine>>(lanes, [](auto stamp) -> std::unique_ptr<Engine> {

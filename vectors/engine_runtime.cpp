@@ -1,10 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <iterator>
-
-#include "ref/error.hpp"
 #include "vectors/engine_impl.hpp"
 #include "vectors/runtime_formats.hpp"
 
@@ -52,9 +46,9 @@ class RuntimeEngine : public Engine {
     activate();
     kernels_->render_colour(scene, colour);
   }
-  std::vector<RawMotion> motion(const ref::SnappedList& scene) override {
+  std::vector<RawMotion> motion(const ref::SnappedList& scene, ref::Frame* frame) override {
     activate();
-    return kernels_->motion(scene);
+    return kernels_->motion(scene, frame);
   }
   std::vector<RawEntry> entries(const ref::SnappedList& scene) override {
     activate();
@@ -83,11 +77,8 @@ class RuntimeEngine : public Engine {
 
 }  // namespace
 
-void check_lanes(int lanes) {
-  const int all[] = {1, 2, 4, 8, 16};
-  if (std::find(std::begin(all), std::end(all), lanes) == std::end(all)) {
-    throw ref::Error(fmt::format("there is no stamp of {} lanes: use 1, 2, 4, 8 or 16", lanes));
-  }
+StampSize stamp_size(int lanes) {
+  return with_stamp<StampSize>(lanes, [](auto stamp) { return StampSize{stamp.kX, stamp.kY}; });
 }
 
 std::unique_ptr<Engine> make_runtime_engine(const Config& config, const FormatTable& table, int lanes) {

@@ -9,18 +9,6 @@
 #include "vectors/fit.hpp"
 
 namespace halfspace::vectors {
-namespace {
-
-ref::Scene only(const ref::Scene& scene, const std::vector<bool>& left_out) {
-  ref::Scene result = scene;
-  result.instances.clear();
-  for (std::size_t n = 0; n < scene.instances.size(); ++n) {
-    if (!left_out[n]) result.instances.push_back(scene.instances[n]);
-  }
-  return result;
-}
-
-}  // namespace
 
 FitObjects choose_objects(Config& c, const FitScene& scene, const std::function<std::uint64_t(const FitScene&, const Config&)>& cycles_of) {
   FitObjects found;
@@ -50,7 +38,7 @@ FitObjects choose_objects(Config& c, const FitScene& scene, const std::function<
     const std::size_t standing = std::size_t(std::count(stands.begin(), stands.end(), true));
     found.standing = k == 1 ? standing : std::min(found.standing, standing);
     found.moving = std::max(found.moving, stands.size() - standing);
-    moving.frames.push_back([part = only(now, stands)](const ref::View& view) { return ref::project(part, view); });
+    moving.frames.push_back([part = ref::without(now, stands)](const ref::View& view) { return ref::project(part, view); });
     before = std::move(now);
   }
   if (found.moving == 0) return because("nothing moves");

@@ -43,7 +43,7 @@ Merger::Merger(const Configuration& configuration, int lanes)
   if (!has_objects(configuration.config())) {
     throw ref::Error(fmt::format("configuration {} knows no objects: take one with object_bits", configuration.name()));
   }
-  check_lanes(lanes);
+  stamp_size(lanes);  // refuses a number of lanes that there is not
 }
 
 MergeResult Merger::run(const MergeInput& input, std::vector<StreamWords>* streams) const {

@@ -5,6 +5,8 @@
 #include <random>
 #include <utility>
 
+#include "ref/snap.hpp"
+
 namespace halfspace::vectors {
 namespace {
 
@@ -13,7 +15,7 @@ class Maker {
   Maker(const Config& config, std::uint64_t seed)
       : c_(config),
         most_((1u << config.object_bits) - 1),
-        full_((1u << (config.depth_bits - 1)) * 2 - 1),
+        full_(ref::full_depth(config.depth_bits)),
         random_(seed) {}
 
   int below(int n) { return int(random_() % std::uint64_t(n)); }

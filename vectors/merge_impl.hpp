@@ -8,6 +8,7 @@
 #include "hls/ztest_merge.hpp"
 #include "ref/snap.hpp"
 #include "vectors/merge.hpp"
+#include "vectors/object_records.hpp"
 
 namespace halfspace::vectors {
 
@@ -29,16 +30,6 @@ E entry_record(const std::vector<RawEntry>& buffer, const MergeInput& input, int
     out.b[l] = from_raw<typename F::Colour>(in.rgb[2]);
   }
   return out;
-}
-
-template <class F, class E>
-void put_entry(const E& in, const MergeInput& input, std::vector<RawEntry>& buffer) {
-  for (int l = 0; l < F::kLanes; ++l) {
-    const int x = int(raw(in.x)) * F::kLanesX + l % F::kLanesX, y = int(raw(in.y)) * F::kLanesY + l / F::kLanesX;
-    if (x >= input.width || y >= input.height) continue;
-    buffer[std::size_t(y) * input.width + x] = {std::uint32_t(raw(in.depth[l])), std::uint32_t(raw(in.object[l])),
-                                                {std::uint8_t(raw(in.r[l])), std::uint8_t(raw(in.g[l])), std::uint8_t(raw(in.b[l]))}};
-  }
 }
 
 // Of an input that fits. `streams` takes the words of merge, stored, entry, merged and found, unless it is null.
@@ -78,7 +69,7 @@ MergeResult merge_run(const MergeInput& input, std::vector<StreamWords>* streams
 
   MergeResult result;
   if (input.sends) result.merged = *input.stored;
-  while (!merged.empty()) put_entry<F>(merged.read(), input, result.merged);
+  while (!merged.empty()) put_entry<F>(merged.read(), input.width, input.height, result.merged);
   const Found<F> hits = found.read();
   result.count = std::uint64_t(raw(hits.count));
   if (result.count != 0) {

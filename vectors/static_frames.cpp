@@ -49,12 +49,6 @@ Box covered(const NamedFrame& frame, std::size_t k) {
                         frame.scene.height);
 }
 
-void load(Engine& engine, const Config& config, const NamedFrame& frame) {
-  if (has_lighting(config)) engine.light(frame.lighting);
-  if (has_texture(config)) engine.texture(frame.texture);
-  engine.number(frame.objects);
-}
-
 }  // namespace
 
 StaticFrames::StaticFrames(const ref::Scene& scene, const StaticFramesOptions& options)
@@ -131,7 +125,7 @@ NamedFrame StaticFrames::triangles(const std::vector<std::uint32_t>& instances) 
 
 std::vector<RawEntry> StaticFrames::entries(Engine& engine, const Configuration& configuration,
                                             const NamedFrame& frame) {
-  load(engine, configuration.config(), frame);
+  load_frame(engine, configuration.config(), frame);
   return engine.entries(frame.scene);
 }
 
@@ -147,7 +141,7 @@ void StaticFrames::draw_passes(const NamedFrame& frame, const Box& region, const
   const std::size_t count = frame.scene.triangles.size();
   for (std::size_t from = 0; from < count;) {
     const NamedFrame rest = part(frame, from, count);
-    load(*engine_, config_, rest);
+    load_frame(*engine_, config_, rest);
     const std::size_t fits = engine_->fits(rest.scene);
     const NamedFrame pass = part(rest, 0, fits);
     from += fits;

@@ -208,14 +208,15 @@ std::vector<RawMotion> KernelUpConverter::field(const ref::Scene& between, doubl
   if (!still.empty()) leave_out(still, between, motion, change);
   motion_engine_->move(motion_frame(motion, motion_, change));
   list_ = ref::snap(motion.list, raster_format(mode_.motion));
-  std::vector<RawMotion> words = motion_engine_->motion(list_);
-  if (!still.empty()) drop_hidden(between, motion.list.face, words);
+  ref::Frame frame;
+  std::vector<RawMotion> words = motion_engine_->motion(list_, still.empty() ? nullptr : &frame);
+  if (!still.empty()) drop_hidden(between, motion.list.face, frame, words);
   return mode_.half_field ? doubled(words, mode_.width, mode_.height, motion_) : words;
 }
 
-void KernelUpConverter::drop_hidden(const ref::Scene& between, const std::vector<std::uint32_t>& face, std::vector<RawMotion>& words) {
+void KernelUpConverter::drop_hidden(const ref::Scene& between, const std::vector<std::uint32_t>& face, const ref::Frame& frame,
+                                    std::vector<RawMotion>& words) const {
   const std::vector<std::uint32_t> instance = ref::instances_of_faces(between);
-  const ref::Frame frame = motion_engine_->render(list_);
   const auto hidden = [&](const RawMotion& word) {
     const std::size_t at = std::size_t(word.y) * frame.width + word.x;
     return static_buffer_.hides(word.x, word.y, frame.depth[at], instance[face[frame.index[at] - 1]] + 1);

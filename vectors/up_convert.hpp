@@ -74,8 +74,8 @@ class KernelUpConverter {
   ref::View view(int scale) const;
   // Of the instances that are not `still`, as far as the S-buffer does not hide them; of all if there are none.
   std::vector<RawMotion> field(const ref::Scene& between, double a, const std::vector<bool>& still);
-  void drop_hidden(const ref::Scene& between, const std::vector<std::uint32_t>& face, std::vector<RawMotion>& words);
-
+  // `frame` is what the words were read from, `face` that of each of its indices.
+  void drop_hidden(const ref::Scene& between, const std::vector<std::uint32_t>& face, const ref::Frame& frame, std::vector<RawMotion>& words) const;
   // What the S-buffer shows, where no word is; how many pixels show an object.
   std::uint64_t show_static(ref::Colours& colour) const;
 

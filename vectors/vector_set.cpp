@@ -172,7 +172,6 @@ std::string write_streams(const std::string& folder, const VectorSetOptions& opt
 template <class Unit, class Frame, class Describe>
 std::string write_unit_set(const std::string& folder, const VectorSetOptions& options, const Unit& unit, const std::vector<Frame>& frames,
                            const std::function<void(std::size_t, std::size_t)>& progress, Describe describe) {
-  const auto engine = make_engine(options.configuration, options.lanes);
   Json described = Json::array();
   for (const Frame& frame : frames) {
     described.push_back({{"width", frame.width}, {"height", frame.height}, {"background", {0, 0, 0}}, {"triangles", 0}, {"note", frame.note}});
@@ -184,7 +183,8 @@ std::string write_unit_set(const std::string& folder, const VectorSetOptions& op
     describe(json, done);
     json["cycles"] = done.cycles;
   };
-  return write_streams(folder, options, engine->lanes_x(), engine->lanes_y(), unit.layouts(), std::move(described), capture, progress);
+  const StampSize stamp = stamp_size(options.lanes);
+  return write_streams(folder, options, stamp.x, stamp.y, unit.layouts(), std::move(described), capture, progress);
 }
 
 // Whether a stream comes or goes at a port of hs_pipeline, or is the one that a frame's end is told by.
@@ -204,6 +204,13 @@ std::vector<std::uint32_t> objects_of(const NamedFrame& frame, const Config& con
 
 }  // namespace
 
+void load_frame(Engine& engine, const Config& config, const NamedFrame& frame) {
+  if (has_lighting(config)) engine.light(frame.lighting);
+  if (has_texture(config)) engine.texture(frame.texture);
+  if (has_motion(config)) engine.move(frame.motion);
+  if (has_objects(config)) engine.number(objects_of(frame, config));
+}
+
 std::string write_vector_set(const std::string& folder, const VectorSetOptions& options,
                              const std::vector<NamedFrame>& frames,
                              const std::function<void(std::size_t, std::size_t)>& progress) {
@@ -222,10 +229,7 @@ std::string write_vector_set(const std::string& folder, const VectorSetOptions& 
   std::vector<Layout> layouts = engine->layouts();
   if (options.ports) layouts.erase(std::remove_if(layouts.begin(), layouts.end(), [](const Layout& l) { return !is_of_ports(l); }), layouts.end());
   const auto capture = [&](std::size_t n, Json&, const WordSink& sink) {
-    if (has_lighting(configuration.config())) engine->light(frames[n].lighting);
-    if (has_texture(configuration.config())) engine->texture(frames[n].texture);
-    if (has_motion(configuration.config())) engine->move(frames[n].motion);
-    if (has_objects(configuration.config())) engine->number(objects_of(frames[n], configuration.config()));
+    load_frame(*engine, configuration.config(), frames[n]);
     engine->capture(frames[n].scene, [&](const Layout& layout, const Word* words, std::size_t count) {
       if (!options.ports || is_of_ports(layout)) sink(layout, words, count);
     });

@@ -17,6 +17,8 @@
 
 namespace halfspace::vectors {
 
+class Engine;
+
 struct NamedFrame {
   std::string note;  // what the frame is for
   ref::SnappedList scene;
@@ -34,6 +36,9 @@ struct VectorSetOptions {
   int window = 0;          // of index reuse
   bool ports = false;      // the streams at the ports of hs_pipeline alone, and scan, which its frames end by
 };
+
+// Gives the engine what goes with the triangles of a frame, before it is drawn.
+void load_frame(Engine&, const Config&, const NamedFrame&);
 
 // Writes the streams of the frames to `folder`, which is made. The files appear there together, at the end, or not
 // at all; `progress` hears (frames done, frames). Returns the manifest's text. Throws ref::Error.
