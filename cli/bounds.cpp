@@ -8,34 +8,34 @@
 #include <sstream>
 
 #include "cli/commands.hpp"
-#include "cli/progress.hpp"
-#include "ref/triangle_list.hpp"
-#include "vectors/bounds.hpp"
-#include "vectors/gappa.hpp"
+#include "cli/common/progress.hpp"
+#include "ref/geometry/triangle_list.hpp"
+#include "study/bounds/bounds.hpp"
+#include "study/proofs/gappa.hpp"
 #include "vectors/staging.hpp"
 
 namespace halfspace::cli {
 namespace {
 
-using vectors::BoundRow;
-using vectors::BoundsReport;
-using vectors::Configuration;
+using model::BoundRow;
+using model::BoundsReport;
+using model::Configuration;
 
 struct Options {
   std::string config = "middle", gappa, json;
-  vectors::MeasureOptions measure;
+  model::MeasureOptions measure;
   bool markdown = false, verbose = false;
 };
 
 // The frame and the one triangle, as a *.tri file.
 std::string tri_text(const Configuration& configuration, const ref::SnappedTriangle& triangle) {
-  const ref::RasterFormat format = vectors::raster_format(configuration);
+  const ref::RasterFormat format = model::raster_format(configuration);
   std::ostringstream text;
   ref::write_tri(text, ref::unsnap({format, format.width, format.height, {}, {triangle}}));
   return text.str();
 }
 
-std::string place(const vectors::Witness& where) {
+std::string place(const model::Witness& where) {
   if (where.number == 0) return "–";
   if (where.x < 0) return where.is_triangle ? fmt::format("{} {}", where.kind, where.number) : where.kind;
   return fmt::format("{} {}, pixel ({}, {})", where.kind, where.number, where.x, where.y);
@@ -93,15 +93,15 @@ void print_report(const Configuration& configuration, const BoundsReport& report
   if (!report.classes.empty()) {
     fmt::print("\nplanes at covered centres, before rounding: largest error in LSB, and its share of the bound there\n\n");
     rows = {{"class", "triangles", "pixels", "depth", "share", "colour", "share"}};
-    auto error = [&](vectors::Quantity plane, const char* format, double value) {
+    auto error = [&](model::Quantity plane, const char* format, double value) {
       return report.rows[plane].present() ? fmt::format(fmt::runtime(format), value) : "–";
     };
     for (const auto& c : report.classes) {
       rows.push_back({c.name, std::to_string(c.triangles), std::to_string(c.pixels),
-                      error(vectors::kDepthPlane, "{:.3g}", c.depth),
-                      error(vectors::kDepthPlane, "{:.1f} %", 100 * c.depth_share),
-                      error(vectors::kColourPlane, "{:.3g}", c.colour),
-                      error(vectors::kColourPlane, "{:.1f} %", 100 * c.colour_share)});
+                      error(model::kDepthPlane, "{:.3g}", c.depth),
+                      error(model::kDepthPlane, "{:.1f} %", 100 * c.depth_share),
+                      error(model::kColourPlane, "{:.3g}", c.colour),
+                      error(model::kColourPlane, "{:.1f} %", 100 * c.colour_share)});
     }
     print_table(rows, options.markdown);
   }
@@ -127,18 +127,18 @@ Json row_json(const Configuration& configuration, const BoundRow& row) {
 }
 
 int bounds(const Options& options) {
-  const Configuration configuration = vectors::find_configuration(options.config);
+  const Configuration configuration = model::find_configuration(options.config);
   if (!options.gappa.empty()) {
-    vectors::StagedFolder folder(options.gappa);
-    for (const auto& script : vectors::gappa_scripts(configuration.config())) folder.write(script.name + ".g", script.text);
+    model::StagedFolder folder(options.gappa);
+    for (const auto& script : model::gappa_scripts(configuration.config())) folder.write(script.name + ".g", script.text);
     folder.commit();
   }
   Progress progress("bounds " + configuration.name());
-  vectors::MeasureOptions measure = options.measure;
+  model::MeasureOptions measure = options.measure;
   measure.progress = [&](std::size_t done, std::size_t total) { progress.tell(done, total); };
   const bool measured = measure.triangles > 0;
   const BoundsReport report =
-      measured ? vectors::measured_bounds(configuration, measure) : vectors::proved_bounds(configuration.config());
+      measured ? model::measured_bounds(configuration, measure) : model::proved_bounds(configuration.config());
 
   print_report(configuration, report, options);
   Json json = {{"config", configuration.name()}, {"seed", measure.seed}, {"triangles", measure.triangles}};
@@ -147,8 +147,8 @@ int bounds(const Options& options) {
   }
   for (const auto& c : report.classes) {
     Json row = {{"class", c.name}, {"triangles", c.triangles}, {"pixels", c.pixels}};
-    if (report.rows[vectors::kDepthPlane].present()) row["depth"] = c.depth, row["depth_share"] = c.depth_share;
-    if (report.rows[vectors::kColourPlane].present()) row["colour"] = c.colour, row["colour_share"] = c.colour_share;
+    if (report.rows[model::kDepthPlane].present()) row["depth"] = c.depth, row["depth_share"] = c.depth_share;
+    if (report.rows[model::kColourPlane].present()) row["colour"] = c.colour, row["colour_share"] = c.colour_share;
     json["classes"].push_back(row);
   }
   write_json(options.json, json);

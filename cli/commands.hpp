@@ -7,10 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "ref/architecture.hpp"
-#include "vectors/accuracy.hpp"
-#include "vectors/configuration.hpp"
-#include "vectors/memories.hpp"
+#include "ref/raster/architecture.hpp"
+#include "study/trade/accuracy.hpp"
+#include "model/formats/configuration.hpp"
+#include "model/pipeline/memories.hpp"
 
 namespace halfspace::cli {
 
@@ -33,15 +33,15 @@ using Json = nlohmann::ordered_json;
 
 // To the file, or nowhere when `path` is empty.
 void write_json(const std::string& path, const Json& json);
-Json to_json(const vectors::Accuracy& accuracy);
+Json to_json(const model::Accuracy& accuracy);
 // All numbers; those of what is not there are 0.
 Json to_json(const Config& config);
 // Those that are counted at streams; all of them, which the reference knows.
 Json to_json(const ref::Rates& rates);
 Json all_rates(const ref::Rates& rates);
 // Accesses and bytes of the buffers that there are; with those of whole words, if they are given.
-Json to_json(const ref::BufferUses& needed, const vectors::BufferBits& bits, const ref::BufferUses* words = nullptr);
-Json to_json(const vectors::MemoryBits& bits);
+Json to_json(const ref::BufferUses& needed, const model::BufferBits& bits, const ref::BufferUses* words = nullptr);
+Json to_json(const model::MemoryBits& bits);
 // "∞" for an infinite ratio.
 std::string decibels(double psnr);
 

@@ -16,7 +16,7 @@ namespace {
 int compare(const std::string& a, const std::string& b, const std::string& json_path) {
   std::uint64_t values = 0, different = 0;
   Json parts = Json::array();
-  for (const vectors::Difference& d : vectors::compare_folders(a, b)) {
+  for (const model::Difference& d : model::compare_folders(a, b)) {
     if (d.different == 0) {
       fmt::print("{}: {} values, equal\n", d.part, d.values);
     } else {

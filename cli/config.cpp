@@ -7,23 +7,23 @@
 #include <memory>
 
 #include "cli/commands.hpp"
-#include "vectors/configuration.hpp"
-#include "vectors/format_fields.hpp"
-#include "vectors/package.hpp"
+#include "model/formats/configuration.hpp"
+#include "model/formats/format_fields.hpp"
+#include "model/pipeline/package.hpp"
 #include "vectors/staging.hpp"
 
 namespace halfspace::cli {
 namespace {
 
-using vectors::Configuration;
+using model::Configuration;
 
 Json config_json(const Configuration& configuration) {
   const Config c = configuration.config();
   Json json = {{"name", configuration.name()}};
   json.update(to_json(c));
   const FormatTable table = format_table(c);
-  for (const auto* fields : {&vectors::format_fields(), &vectors::lighting_format_fields(), &vectors::texture_format_fields(),
-                             &vectors::motion_format_fields()}) {
+  for (const auto* fields : {&model::format_fields(), &model::lighting_format_fields(), &model::texture_format_fields(),
+                             &model::motion_format_fields()}) {
     for (const auto& field : *fields) {
       if (!field.is_used(c)) continue;
       const NumberFormat format = table.*field.format;
@@ -47,18 +47,18 @@ void print_table(const std::vector<Configuration>& configurations, bool markdown
   for (const Configuration& c : configurations) names.push_back(c.name()), rule.push_back("---");
   row("", names, "");
   if (markdown) row("---", rule, "---");
-  auto numbers = [&](const std::vector<vectors::ConfigField>& fields) {
+  auto numbers = [&](const std::vector<model::ConfigField>& fields) {
     for (const auto& field : fields) {
       std::vector<std::string> cells;
       for (const Configuration& c : configurations) cells.push_back(std::to_string(c.config().*field.value));
       row(field.name, cells, field.what);
     }
   };
-  numbers(vectors::config_fields());
+  numbers(model::config_fields());
   auto choice = [&](const char* name) {
     std::vector<std::string> cells;
-    for (const Configuration& c : configurations) cells.push_back(vectors::choice_name(name, c.config()));
-    row(name, cells, vectors::choice_field(name).what);
+    for (const Configuration& c : configurations) cells.push_back(model::choice_name(name, c.config()));
+    row(name, cells, model::choice_field(name).what);
   };
   auto any = [&](bool (*is)(const Config&)) {
     return std::any_of(configurations.begin(), configurations.end(), [&](const Configuration& c) { return is(c.config()); });
@@ -66,27 +66,27 @@ void print_table(const std::vector<Configuration>& configurations, bool markdown
   choice("shading");
   choice("architecture");
   const bool lit = any(has_lighting), textured = any(has_texture), moves = any(has_motion), numbered = any(has_objects);
-  if (lit) numbers(vectors::lighting_fields());
+  if (lit) numbers(model::lighting_fields());
   if (textured) choice("texture");
   if (textured || moves) choice("mapping");
-  if (textured) numbers(vectors::texture_fields());
-  if (moves) choice("filter"), numbers(vectors::motion_fields());
-  if (numbered) numbers(vectors::object_fields());
-  auto formats = [&](const std::vector<vectors::FormatField>& fields) {
+  if (textured) numbers(model::texture_fields());
+  if (moves) choice("filter"), numbers(model::motion_fields());
+  if (numbered) numbers(model::object_fields());
+  auto formats = [&](const std::vector<model::FormatField>& fields) {
     for (const auto& field : fields) {
       std::vector<std::string> cells;
       for (const Configuration& configuration : configurations) {
         const Config c = configuration.config();
-        cells.push_back(field.is_used(c) ? vectors::format_name(format_table(c).*field.format) : "–");
+        cells.push_back(field.is_used(c) ? model::format_name(format_table(c).*field.format) : "–");
       }
       row(field.name, cells, field.why);
     }
   };
-  formats(vectors::format_fields());
-  if (lit) formats(vectors::lighting_format_fields());
-  if (textured || moves) formats(vectors::texture_format_fields());
-  if (moves) formats(vectors::motion_format_fields());
-  if (numbered) formats(vectors::object_format_fields());
+  formats(model::format_fields());
+  if (lit) formats(model::lighting_format_fields());
+  if (textured || moves) formats(model::texture_format_fields());
+  if (moves) formats(model::motion_format_fields());
+  if (numbered) formats(model::object_format_fields());
 }
 
 struct Options {
@@ -97,12 +97,12 @@ struct Options {
 
 void config(const Options& options) {
   std::vector<Configuration> configurations;
-  for (const std::string& name : options.configurations) configurations.push_back(vectors::find_configuration(name));
+  for (const std::string& name : options.configurations) configurations.push_back(model::find_configuration(name));
   if ((!options.header.empty() || !options.toml.empty()) && configurations.size() != 1) {
     throw CLI::ValidationError("--header and --toml", "are of one configuration: name it");
   }
-  if (!options.header.empty()) vectors::write_file(options.header, vectors::configuration_header(configurations[0]));
-  if (!options.toml.empty()) vectors::write_file(options.toml, vectors::configuration_toml(configurations[0]));
+  if (!options.header.empty()) model::write_file(options.header, model::configuration_header(configurations[0]));
+  if (!options.toml.empty()) model::write_file(options.toml, model::configuration_toml(configurations[0]));
   Json json = Json::array();
   for (const Configuration& c : configurations) json.push_back(config_json(c));
   write_json(options.json, json);
@@ -118,7 +118,7 @@ void add_config(CLI::App& app, int&) {
       "A configuration is a .toml file: `halfspace config middle --toml mine.toml` writes one to begin with. Every command\n"
       "takes its path in the place of a name. A combination that cannot be built is refused with its reason.\n");
   command->add_option("CONFIG", options->configurations, "low, middle, high or .toml files")->capture_default_str();
-  command->add_option("--header", options->header, "C++ header to write, for hls/configs/");
+  command->add_option("--header", options->header, "C++ header to write, for hls/formats/configs/");
   command->add_option("--toml", options->toml, "TOML file to write");
   command->add_flag("--markdown", options->markdown, "the table in Markdown");
   command->add_option("--json", options->json, "file for the numbers");
@@ -132,9 +132,9 @@ void add_package(CLI::App& app, int&) {
   command->add_option("--config", *config, "low, middle, high or a .toml file")->capture_default_str();
   command->add_option("-o,--output", *output, "file to write; default: standard output");
   command->callback([config, output] {
-    const std::string text = vectors::formats_package(vectors::find_configuration(*config));
+    const std::string text = model::formats_package(model::find_configuration(*config));
     if (output->empty()) std::fputs(text.c_str(), stdout);
-    else vectors::write_file(*output, text);
+    else model::write_file(*output, text);
   });
 }
 

@@ -7,13 +7,13 @@
 #include <memory>
 
 #include "cli/commands.hpp"
-#include "cli/numbers.hpp"
-#include "cli/sequence.hpp"
+#include "cli/common/numbers.hpp"
+#include "cli/common/sequence.hpp"
 #include "ref/error.hpp"
-#include "ref/static_instances.hpp"
-#include "ref/viewpoint.hpp"
-#include "vectors/cycles.hpp"
-#include "vectors/up_convert.hpp"
+#include "ref/objects/static_instances.hpp"
+#include "ref/geometry/viewpoint.hpp"
+#include "model/pipeline/cycles.hpp"
+#include "model/drivers/up_convert.hpp"
 
 namespace halfspace::cli {
 namespace {
@@ -37,17 +37,17 @@ struct Cost {
 
 // What the renderer's units would take for themselves, of a frame of which triangles and pixels are at hand.
 struct FrontEnd {
-  vectors::Cycles cycles;
+  model::Cycles cycles;
   double pixels = 0;       // covered
   double pixel_scan = 0;   // cycles of a unit that takes a covered pixel at a time, and one for a stamp of background
   std::size_t triangles = 0, stamps = 0;
 };
 
-FrontEnd front_end(const vectors::Configuration& configuration, const ref::TriangleList& triangles, int lanes) {
-  const auto engine = vectors::make_engine(configuration, lanes);
-  const ref::SnappedList list = ref::snap(triangles, vectors::raster_format(configuration));
+FrontEnd front_end(const model::Configuration& configuration, const ref::TriangleList& triangles, int lanes) {
+  const auto engine = model::make_engine(configuration, lanes);
+  const ref::SnappedList list = ref::snap(triangles, model::raster_format(configuration));
   const ref::Frame frame = engine->render(list);
-  FrontEnd out{vectors::model_cycles(configuration.config(), *engine, list, frame)};
+  FrontEnd out{model::model_cycles(configuration.config(), *engine, list, frame)};
   out.triangles = list.triangles.size();
   for (int y = 0; y < frame.height; y += engine->lanes_y()) {
     for (int x = 0; x < frame.width; x += engine->lanes_x()) {
@@ -102,8 +102,8 @@ Cost rendered(const char* name, const FrontEnd& front, double picture_pixels, bo
 // A frame made of two keys. Multiplications: two a plane, three of perspective a key; of each key's filter three or, bicubic,
 // fifteen a channel; one a channel of the blend. A word of motion is written and read, tiles are fetched, the picture is
 // written.
-Cost made(const char* name, const FrontEnd& front, double picture_pixels, const vectors::KernelFrameBetween& between,
-          const vectors::Configuration& configuration) {
+Cost made(const char* name, const FrontEnd& front, double picture_pixels, const model::KernelFrameBetween& between,
+          const model::Configuration& configuration) {
   const Config motion = configuration.config();
   Cost cost{name, true};
   take_front(cost, front);
@@ -114,10 +114,10 @@ Cost made(const char* name, const FrontEnd& front, double picture_pixels, const 
   cost.multiplications =
       double(between.words) * (2 * (2 * planes + (has_perspective(motion) ? 3 : 0) + 3 * filter) + 3) / picture_pixels;
   double word = 0;
-  for (const vectors::Layout& layout : vectors::make_engine(configuration, 1)->layouts()) {
+  for (const model::Layout& layout : model::make_engine(configuration, 1)->layouts()) {
     if (layout.stream == "motion") word = layout.bits;
   }
-  const double tiles = 64 * double(between.misses[0] + between.misses[1]) * vectors::key_pixel_bits(motion) / 8;
+  const double tiles = 64 * double(between.misses[0] + between.misses[1]) * model::key_pixel_bits(motion) / 8;
   cost.bytes = (double(between.words) * 2 * word / 8 + tiles) / picture_pixels + 3;
   cost.words = between.words, cost.tiles = between.misses[0] + between.misses[1];
   return cost;
@@ -125,14 +125,14 @@ Cost made(const char* name, const FrontEnd& front, double picture_pixels, const 
 
 // A frame with an S-buffer, of which an entry {depth, object, colour} a pixel is read, rendered and made of keys, and last the drawing of
 // that buffer, which writes them. Each merge takes a stamp a cycle.
-std::vector<Cost> with_static_buffer(const vectors::KernelUpConversion& mode, const ref::Scene& first, const ref::Scene& between,
+std::vector<Cost> with_static_buffer(const model::KernelUpConversion& mode, const ref::Scene& first, const ref::Scene& between,
                                const ref::Scene& second, const std::vector<bool>& still, double picture_pixels, const Options& options) {
   const Config colour = mode.colour.config();
   const int samples = mode.motion.config().samples;
   const ref::View view{mode.width * samples, mode.height * samples, colour.range_bits, colour.subpixel_bits};
-  vectors::KernelUpConversion with = mode;
+  model::KernelUpConversion with = mode;
   with.static_buffer = true;
-  vectors::KernelUpConverter converter(with);
+  model::KernelUpConverter converter(with);
   converter.set_keys(first, second);
   std::vector<bool> moves = still;
   moves.flip();
@@ -172,16 +172,16 @@ void cost(const Options& options) {
              "{:<34} {:>10}  {:<18} {:>9} {:>9} {:>9} {:>9} {:>8} {:>8}\n", options.scene, options.size, options.lanes, options.lights, "", "cycles",
              "slowest unit", "MUL/pixel", "B/pixel", "of cycles", "triangles", "words", "tiles");
   for (const int samples : {1, 4}) {
-    const vectors::Configuration named = vectors::find_configuration(samples == 1 ? options.config : "high");
+    const model::Configuration named = model::find_configuration(samples == 1 ? options.config : "high");
     const int scale = samples;
     const ref::View view{size.width * scale, size.height * scale, named.config().range_bits, named.config().subpixel_bits};
     const FrontEnd front = front_end(named, ref::project(between, view), options.lanes);
     const double picture_pixels = front.pixels / (samples * samples);
-    Config numbers = vectors::default_motion(named.config());
+    Config numbers = model::default_motion(named.config());
     numbers.samples = samples;
-    const vectors::Configuration motion = vectors::motion_configuration(named, numbers, view.width, view.height);
-    const vectors::KernelUpConversion mode{size.width, size.height, named, motion};
-    vectors::KernelUpConverter converter(mode);
+    const model::Configuration motion = model::motion_configuration(named, numbers, view.width, view.height);
+    const model::KernelUpConversion mode{size.width, size.height, named, motion};
+    model::KernelUpConverter converter(mode);
     converter.set_keys(first, second);
     const Cost up = made(samples == 1 ? "made of key frames" : "made, 4x4 samples", front, picture_pixels, converter.at(between, 0.4), motion);
     const bool one = samples == 1;

@@ -6,29 +6,29 @@
 #include <filesystem>
 #include <memory>
 
-#include "cli/area.hpp"
+#include "cli/common/area.hpp"
 #include "cli/commands.hpp"
-#include "cli/cosim.hpp"
-#include "cli/picture.hpp"
-#include "cli/progress.hpp"
-#include "cli/scene_frames.hpp"
+#include "cli/common/cosim.hpp"
+#include "cli/plots/picture.hpp"
+#include "cli/common/progress.hpp"
+#include "cli/common/scene_frames.hpp"
 #include "ref/error.hpp"
-#include "vectors/engine.hpp"
-#include "vectors/fit.hpp"
-#include "vectors/format_fields.hpp"
+#include "model/pipeline/engine.hpp"
+#include "study/fit/fit.hpp"
+#include "model/formats/format_fields.hpp"
 #include "vectors/staging.hpp"
 
 namespace halfspace::cli {
 namespace {
 
-using vectors::Configuration;
-using vectors::Fit;
-using vectors::FitScene;
+using model::Configuration;
+using model::Fit;
+using model::FitScene;
 using cli::to_json;  // beside the one of requirements
 
 struct Options {
   FrameInput input;
-  vectors::FitGoal goal;
+  model::FitGoal goal;
   int lanes = 0;
   std::string output, work, json, area = "xilinx";
   bool cosim = true;
@@ -40,7 +40,7 @@ std::string name_of(const std::string& scene) {
   return name;
 }
 
-Json to_json(const vectors::Requirements& r) {
+Json to_json(const model::Requirements& r) {
   return {{"x", {r.x_low, r.x_high}},
           {"y", {r.y_low, r.y_high}},
           {"triangles", r.triangles},
@@ -52,7 +52,7 @@ Json to_json(const vectors::Requirements& r) {
           {"motion_pixels_a_frame", r.motion}};
 }
 
-void print(const vectors::Requirements& r, const FitScene& scene) {
+void print(const model::Requirements& r, const FitScene& scene) {
   fmt::print("{}: {} frame{} of {}x{}\n", scene.name, scene.frames.size(), scene.frames.size() == 1 ? "" : "s", scene.width, scene.height);
   fmt::print("  vertices within x {:.0f} … {:.0f}, y {:.0f} … {:.0f} pixels; {} triangles in view at most\n", r.x_low, r.x_high, r.y_low,
              r.y_high, r.triangles);
@@ -64,7 +64,7 @@ void print(const vectors::Requirements& r, const FitScene& scene) {
 }
 
 // What is not there, and why.
-std::vector<std::string> left_out(const Config& c, const vectors::Requirements& r) {
+std::vector<std::string> left_out(const Config& c, const model::Requirements& r) {
   std::vector<std::string> lines;
   if (!has_depth(c)) {
     lines.push_back(fmt::format("Z-buffer, depth plane and comparison: {}", r.overlapping == 0 ? "no pixel has two surfaces"
@@ -78,13 +78,13 @@ std::vector<std::string> left_out(const Config& c, const vectors::Requirements& 
   return lines;
 }
 
-Json to_json(const vectors::FitObjects& o) {
+Json to_json(const model::FitObjects& o) {
   if (o.why.empty()) return nullptr;
   return {{"objects", o.objects}, {"moving", o.moving}, {"standing", o.standing}, {"cycles_all", o.cycles_all},
           {"cycles_moving", o.cycles_moving}, {"why", o.why}};
 }
 
-Json to_json(const vectors::FitArchitecture& a) {
+Json to_json(const model::FitArchitecture& a) {
   if (a.why.empty()) return nullptr;
   return {{"z_buffer_bits", a.z_buffer_bits}, {"tdbv_bits", a.tdbv_bits}, {"cycles_delta", a.cycles_delta},
           {"cycles_gamma", a.cycles_gamma}, {"why", a.why}};
@@ -93,11 +93,11 @@ Json to_json(const vectors::FitArchitecture& a) {
 void print_numbers(const Fit& fit, const Configuration& high) {
   const Config c = fit.configuration.config(), h = high.config();
   fmt::print("\n{:<18} {:>9} {:>9}\n", "", fit.configuration.name(), high.name());
-  for (const auto& field : vectors::config_fields()) fmt::print("{:<18} {:>9} {:>9}\n", field.name, c.*field.value, h.*field.value);
+  for (const auto& field : model::config_fields()) fmt::print("{:<18} {:>9} {:>9}\n", field.name, c.*field.value, h.*field.value);
   if (has_objects(c)) fmt::print("{:<18} {:>9} {:>9}\n", "object_bits", c.object_bits, h.object_bits);
   fmt::print("\none bit less:\n");
   for (const auto& less : fit.less) fmt::print("  {:<26} {}\n", less.change, less.result);
-  const auto mine = vectors::memory_bits(c), theirs = vectors::memory_bits(h);
+  const auto mine = model::memory_bits(c), theirs = model::memory_bits(h);
   fmt::print("\nframe memories: {:.2f} Mbit (I-buffer {:.2f}, Z-buffer {:.2f}, TdbS {:.2f}, TdbV {:.2f}, objects {:.2f}), {} has {:.2f} Mbit: {:.1f} % saved\n",
              mine.total() / 1e6, mine.index / 1e6, mine.depth / 1e6, mine.shading / 1e6, mine.visibility / 1e6, mine.object / 1e6, high.name(), theirs.total() / 1e6,
              100 - 100.0 * mine.total() / theirs.total());
@@ -133,15 +133,15 @@ Json compare_area(const Fit& fit, const Configuration& high, const std::vector<s
 // Renders the frames anew and runs the RTL on them. Throws when either fails.
 Json prove(const Options& options, const FitScene& scene, const Fit& fit, const std::string& work) {
   const int lanes = fit.configuration.config().lanes;
-  const auto again = vectors::check_fit(scene, fit.configuration, options.goal, lanes == 1 ? 4 : 1);
+  const auto again = model::check_fit(scene, fit.configuration, options.goal, lanes == 1 ? 4 : 1);
   fmt::print("rendered again with {} lanes: {:.2f} dB, a colour off by {:.2f} LSB at most, {} pixels of another face\n", lanes == 1 ? 4 : 1,
              again.psnr, again.largest_lsb, again.wrong_pixels);
   if (!again.holds) throw ref::Error(fmt::format("{}: the configuration does not hold when rendered again: {}", scene.name, again.why));
   Json json = {{"psnr_db", again.psnr}, {"largest_lsb", again.largest_lsb}, {"wrong_pixels", again.wrong_pixels}};
   if (!options.cosim) return json;
 
-  std::vector<vectors::NamedFrame> frames;
-  const ref::RasterFormat format = vectors::raster_format(fit.configuration);
+  std::vector<model::NamedFrame> frames;
+  const ref::RasterFormat format = model::raster_format(fit.configuration);
   for (std::size_t k = 0; k < scene.frames.size(); ++k) {
     const auto list = scene.frames[k]({scene.width, scene.height, format.range_bits, format.subpixel_bits});
     frames.push_back({fmt::format("{} at {} s", scene.name, scene.times[k]), ref::snap(list, format)});
@@ -157,20 +157,20 @@ Json prove(const Options& options, const FitScene& scene, const Fit& fit, const 
 void fit(const Options& options) {
   const std::vector<std::string> targets = area_targets(options.area);
   const FitScene scene = load_frames(options.input);
-  const vectors::Requirements needed = vectors::requirements(scene);
+  const model::Requirements needed = model::requirements(scene);
   print(needed, scene);
   const std::string name = options.output.empty() ? name_of(scene.name) : name_of(options.output);
   Progress progress("fit " + scene.name + ": configurations tried");
-  const Fit found = vectors::fit_configuration(scene, name, options.goal, options.lanes,
+  const Fit found = model::fit_configuration(scene, name, options.goal, options.lanes,
                                                [&](std::uint64_t tried) { progress.tell(tried, tried); });
   fmt::print("\n{} configurations tried: {:.2f} dB, a colour off by {:.2f} LSB at most\n", found.tried, found.outcome.psnr,
              found.outcome.largest_lsb);
   const std::vector<std::string> gone = left_out(found.configuration.config(), needed);
   fmt::print("left out: {}\n", gone.empty() ? "nothing, every unit is needed" : "");
   for (const std::string& line : gone) fmt::print("  {}\n", line);
-  const Configuration high = vectors::find_configuration("high");
+  const Configuration high = model::find_configuration("high");
   if (!found.architecture.why.empty()) {
-    fmt::print("type {}: {}\n", vectors::choice_name("architecture", found.configuration.config()), found.architecture.why);
+    fmt::print("type {}: {}\n", model::choice_name("architecture", found.configuration.config()), found.architecture.why);
   }
   if (!found.objects.why.empty()) {
     fmt::print("static objects buffers: {}: {}\n", has_objects(found.configuration.config()) ? "yes" : "no", found.objects.why);
@@ -179,7 +179,7 @@ void fit(const Options& options) {
   const std::string work = options.work.empty() ? "fit_" + name : options.work;
   const Json area = compare_area(found, high, targets, work);
   const Json proof = prove(options, scene, found, work);
-  if (!options.output.empty()) vectors::write_file(options.output, vectors::configuration_toml(found.configuration));
+  if (!options.output.empty()) model::write_file(options.output, model::configuration_toml(found.configuration));
 
   Json less = Json::array();
   for (const auto& one : found.less) less.push_back({{"change", one.change}, {"result", one.result}});
@@ -195,8 +195,8 @@ void fit(const Options& options) {
                             {"architecture", to_json(found.architecture)},
                             {"static_objects", to_json(found.objects)},
                             {"one_bit_less", less},
-                            {"memory_bits", to_json(vectors::memory_bits(found.configuration.config()))},
-                            {"memory_bits_of_high", to_json(vectors::memory_bits(high.config()))},
+                            {"memory_bits", to_json(model::memory_bits(found.configuration.config()))},
+                            {"memory_bits_of_high", to_json(model::memory_bits(high.config()))},
                             {"area", area},
                             {"proof", proof}});
 }

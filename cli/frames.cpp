@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
-#include "cli/sequence_quality.hpp"
-#include "cli/video.hpp"
+#include "cli/common/sequence_quality.hpp"
+#include "cli/plots/video.hpp"
 
 namespace halfspace::cli {
 namespace {

@@ -12,7 +12,7 @@
 namespace halfspace::cli {
 
 void write_json(const std::string& path, const Json& json) {
-  if (!path.empty()) vectors::write_file(path, json.dump(1) + "\n");
+  if (!path.empty()) model::write_file(path, json.dump(1) + "\n");
 }
 
 std::string decibels(double psnr) { return std::isinf(psnr) ? "∞" : fmt::format("{:.2f}", psnr); }
@@ -24,7 +24,7 @@ Json finite(double value) { return std::isinf(value) ? Json(nullptr) : Json(valu
 
 }  // namespace
 
-Json to_json(const vectors::Accuracy& a) {
+Json to_json(const model::Accuracy& a) {
   return {{"pixels", a.pixels},
           {"covered_differ", a.covered_differ},
           {"index_differ", a.index_differ},
@@ -39,12 +39,12 @@ Json to_json(const vectors::Accuracy& a) {
 
 Json to_json(const Config& config) {
   Json json;
-  for (const auto& field : vectors::config_fields()) json[field.name] = config.*field.value;
-  for (const auto& field : vectors::choice_fields()) json[field.name] = vectors::choice_name(field.name, config);
-  for (const auto& field : vectors::lighting_fields()) json[field.name] = config.*field.value;
-  for (const auto& field : vectors::texture_fields()) json[field.name] = config.*field.value;
-  for (const auto& field : vectors::motion_fields()) json[field.name] = config.*field.value;
-  for (const auto& field : vectors::object_fields()) json[field.name] = config.*field.value;
+  for (const auto& field : model::config_fields()) json[field.name] = config.*field.value;
+  for (const auto& field : model::choice_fields()) json[field.name] = model::choice_name(field.name, config);
+  for (const auto& field : model::lighting_fields()) json[field.name] = config.*field.value;
+  for (const auto& field : model::texture_fields()) json[field.name] = config.*field.value;
+  for (const auto& field : model::motion_fields()) json[field.name] = config.*field.value;
+  for (const auto& field : model::object_fields()) json[field.name] = config.*field.value;
   return json;
 }
 
@@ -65,25 +65,25 @@ Json all_rates(const ref::Rates& rates) {
   return json;
 }
 
-Json to_json(const ref::BufferUses& needed, const vectors::BufferBits& bits, const ref::BufferUses* words) {
+Json to_json(const ref::BufferUses& needed, const model::BufferBits& bits, const ref::BufferUses* words) {
   Json json = Json::object();
-  for (const vectors::NamedBuffer& buffer : vectors::kBuffers) {
+  for (const model::NamedBuffer& buffer : model::kBuffers) {
     const int entry = bits.*buffer.bits;
     if (entry == 0) continue;
     const ref::BufferUse& use = needed.*buffer.use;
     Json& of = json[buffer.name] = {{"entry_bits", entry},
                                     {"read", use.read},
                                     {"written", use.written},
-                                    {"bytes_read", vectors::bytes_of(use.read, entry)},
-                                    {"bytes_written", vectors::bytes_of(use.written, entry)}};
+                                    {"bytes_read", model::bytes_of(use.read, entry)},
+                                    {"bytes_written", model::bytes_of(use.written, entry)}};
     if (words == nullptr) continue;
-    of["word_bytes_read"] = vectors::bytes_of((words->*buffer.use).read, entry);
-    of["word_bytes_written"] = vectors::bytes_of((words->*buffer.use).written, entry);
+    of["word_bytes_read"] = model::bytes_of((words->*buffer.use).read, entry);
+    of["word_bytes_written"] = model::bytes_of((words->*buffer.use).written, entry);
   }
   return json;
 }
 
-Json to_json(const vectors::MemoryBits& m) {
+Json to_json(const model::MemoryBits& m) {
   return {{"index_buffer", m.index}, {"depth_buffer", m.depth}, {"shading_database", m.shading},
           {"visibility_database", m.visibility}, {"object_table", m.object}, {"total", m.total()}};
 }

@@ -9,17 +9,17 @@
 #include <set>
 
 #include "cli/commands.hpp"
-#include "cli/picture.hpp"
-#include "cli/scene_input.hpp"
-#include "ref/architecture.hpp"
+#include "cli/plots/picture.hpp"
+#include "cli/common/scene_input.hpp"
+#include "ref/raster/architecture.hpp"
 #include "ref/error.hpp"
-#include "ref/triangle_list.hpp"
-#include "vectors/accesses.hpp"
-#include "vectors/cycles.hpp"
+#include "ref/geometry/triangle_list.hpp"
+#include "model/pipeline/accesses.hpp"
+#include "model/pipeline/cycles.hpp"
 #include "vectors/dump.hpp"
-#include "vectors/engine.hpp"
-#include "vectors/rates.hpp"
-#include "vectors/texture.hpp"
+#include "model/pipeline/engine.hpp"
+#include "model/pipeline/rates.hpp"
+#include "model/texture/texture.hpp"
 
 namespace halfspace::cli {
 namespace {
@@ -51,23 +51,23 @@ struct Counts {
   Json rates, buffers;
 };
 
-Json to_json(const vectors::Cycles& c) {
+Json to_json(const model::Cycles& c) {
   return {{"frame", c.frame},   {"triangle_setup", c.triangle_setup}, {"shade_setup", c.shade_setup}, {"raster", c.raster},
           {"test", c.test},     {"scan_out", c.scan_out}};
 }
 
 // The circuit of the kernels, if its lanes are named; else the paper's.
-ref::Circuit circuit_of(const vectors::Configuration& configuration, int lanes) {
+ref::Circuit circuit_of(const model::Configuration& configuration, int lanes) {
   if (lanes == 0) return {};
-  const auto engine = vectors::make_engine(configuration, lanes);
+  const auto engine = model::make_engine(configuration, lanes);
   return {engine->lanes_x(), engine->lanes_y(), !is_deferred(configuration.config())};
 }
 
 // Of an entry of each buffer. A wide pixel of beta is a copy of the planes.
-vectors::BufferBits bits_of(ref::Architecture architecture, Config config) {
+model::BufferBits bits_of(ref::Architecture architecture, Config config) {
   const bool indexed = is_index_rendering(architecture);
   config.architecture = architecture == ref::Architecture::kGamma ? Architecture::kGamma : Architecture::kDelta;
-  vectors::BufferBits bits = vectors::entry_bits(config);
+  model::BufferBits bits = model::entry_bits(config);
   if (architecture == ref::Architecture::kAlpha) bits.frame = 3 * config.colour_bits;
   if (architecture == ref::Architecture::kBeta) bits.pixel = bits.shading;
   if (!indexed) bits.index = bits.shading = 0;
@@ -91,7 +91,7 @@ ref::Frame draw_by(const Options& options, const LoadedScene& loaded, Counts& co
     // Textures of a configuration that has them are as it can hold them.
     scene = has_texture(config) ? *loaded.scene : ref::load_scene(options.input.scene, options.input.time, !options.texture.empty());
     geometry.emplace(*scene, ref::View{list.width, list.height, list.format.range_bits, list.format.subpixel_bits});
-    const std::string given = vectors::choice_name("shading", config);
+    const std::string given = model::choice_name("shading", config);
     surface = ref::lit_surface(*geometry, list, kind_of(ref::kShadingModes, options.shading.empty() ? given : options.shading));
     if (!options.texture.empty()) {
       const ref::TextureMode mode{options.texture == "nearest" ? ref::TextureFilter::kNearest : ref::TextureFilter::kBilinear,
@@ -103,8 +103,8 @@ ref::Frame draw_by(const Options& options, const LoadedScene& loaded, Counts& co
   }
   ref::Drawing drawing = ref::draw(list, *surface, architecture, true, {}, circuit_of(loaded.configuration, options.lanes));
   counts.rates = all_rates(drawing.rates);
-  if (options.shading.empty() || options.shading == vectors::choice_name("shading", config)) {
-    if (has_objects(config)) vectors::add_object_uses(list.width * std::uint64_t(list.height), drawing.rates.triangles, drawing.buffers);
+  if (options.shading.empty() || options.shading == model::choice_name("shading", config)) {
+    if (has_objects(config)) model::add_object_uses(list.width * std::uint64_t(list.height), drawing.rates.triangles, drawing.buffers);
     counts.buffers = to_json(drawing.buffers, bits_of(architecture, config));
   }
   fmt::print("{}: {} fragments, {} passed the Z-test; {} lightings, {} texels\n", name_of(architecture), drawing.rates.fragments,
@@ -141,22 +141,22 @@ void render(const Options& options) {
     }
     Config numbers = loaded.configuration.config();
     numbers.architecture = options.architecture == "gamma" ? Architecture::kGamma : Architecture::kDelta;
-    loaded.configuration = vectors::Configuration(loaded.configuration.name(), numbers);
+    loaded.configuration = model::Configuration(loaded.configuration.name(), numbers);
   }
   Json memories, cycles;
   if (options.engine == "hls" && !options.json.empty()) {
     const Config config = loaded.configuration.config();
     const auto engine = kernels_of(loaded, lanes);
-    counts.rates = to_json(vectors::count_rates(*engine, scene, loaded.configuration.config()));
-    const vectors::Accesses accesses = vectors::count_accesses(config, *engine, scene);
-    counts.buffers = to_json(accesses.needed, vectors::entry_bits(config), &accesses.words);
-    memories = to_json(vectors::memory_bits(config, engine->lanes_x(), engine->lanes_y()));
+    counts.rates = to_json(model::count_rates(*engine, scene, loaded.configuration.config()));
+    const model::Accesses accesses = model::count_accesses(config, *engine, scene);
+    counts.buffers = to_json(accesses.needed, model::entry_bits(config), &accesses.words);
+    memories = to_json(model::memory_bits(config, engine->lanes_x(), engine->lanes_y()));
     // The model knows no pipeline that waits for normals.
-    if (!is_deferred(config)) cycles = to_json(vectors::model_cycles(config, *engine, scene, engine->render(scene)));
+    if (!is_deferred(config)) cycles = to_json(model::model_cycles(config, *engine, scene, engine->render(scene)));
   }
   const ref::Frame frame = chosen && options.engine == "ref" ? draw_by(options, loaded, counts) : render_with(options.engine, loaded, lanes);
   if (!options.output.empty()) write_picture(options.output, colour_picture(frame));
-  if (!options.dump.empty()) vectors::write_dump(options.dump, scene, frame);
+  if (!options.dump.empty()) model::write_dump(options.dump, scene, frame);
 
   std::uint64_t covered = 0;
   for (const std::uint32_t index : frame.index) covered += index != 0;

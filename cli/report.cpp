@@ -10,10 +10,10 @@
 #include <sstream>
 
 #include "cli/commands.hpp"
-#include "cli/picture.hpp"
-#include "cli/scene_input.hpp"
+#include "cli/plots/picture.hpp"
+#include "cli/common/scene_input.hpp"
 #include "ref/error.hpp"
-#include "vectors/engine.hpp"
+#include "model/pipeline/engine.hpp"
 
 namespace halfspace::cli {
 namespace {
@@ -92,7 +92,7 @@ std::string cycles_of(const Json& report, const std::string& unit) {
   return "–";
 }
 
-Json print_table(const Json& cosim, const Json& units, const vectors::Accuracy& a, const Config& config) {
+Json print_table(const Json& cosim, const Json& units, const model::Accuracy& a, const Config& config) {
   // Column widths count characters: fmt pads by display width.
   fmt::print("\n{:<15} {:>10} {:>10}  {:<34} {:>7} {:>10}\n", "stage", "words", "mismatches", "error against the reference",
              "dB", "cycles");
@@ -136,7 +136,7 @@ int report(const Options& options) {
   const ref::SnappedList& scene = loaded.list;
   const ref::Frame reference = reference_of(loaded);
   const ref::Frame kernels = kernels_of(loaded, 16)->render(scene);
-  const vectors::Accuracy a = vectors::accuracy(reference, kernels, scene.format.depth_bits);
+  const model::Accuracy a = model::accuracy(reference, kernels, scene.format.depth_bits);
   constexpr int kGain = 64;
 
   const std::filesystem::path out(options.out);

@@ -6,13 +6,13 @@
 #include <memory>
 
 #include "cli/commands.hpp"
-#include "cli/progress.hpp"
-#include "cli/repro_frames.hpp"
-#include "cli/repro_plots.hpp"
-#include "cli/repro_static.hpp"
+#include "cli/common/progress.hpp"
+#include "cli/repro/repro_frames.hpp"
+#include "cli/repro/repro_plots.hpp"
+#include "cli/repro/repro_static.hpp"
 #include "ref/error.hpp"
-#include "vectors/index_rendering.hpp"
-#include "vectors/lighting_cost.hpp"
+#include "study/papers/index_rendering.hpp"
+#include "study/papers/lighting_cost.hpp"
 #include "vectors/staging.hpp"
 
 namespace halfspace::cli {
@@ -20,8 +20,8 @@ namespace {
 
 using ref::Architecture;
 using ref::ShadingMode;
-using vectors::HardwareLevel;
-using vectors::WidePixel;
+using model::HardwareLevel;
+using model::WidePixel;
 
 struct Options {
   std::vector<std::string> scenes;
@@ -35,7 +35,7 @@ std::string size_name(int width, int height) { return fmt::format("{}x{}", width
 std::string short_name(const std::string& scene) { return std::filesystem::path(scene).stem().string(); }
 double percent(double part, double whole) { return whole == 0 ? 100 : 100 * part / whole; }
 
-Json bytes_json(const vectors::BufferBytes& b) {
+Json bytes_json(const model::BufferBytes& b) {
   return {{"depth_buffer", b.depth}, {"frame_buffer", b.frame}, {"pixel_buffer", b.pixel}, {"index_buffer", b.index},
           {"visibility_database", b.visibility}, {"shading_database", b.shading}, {"total", b.total()}};
 }
@@ -47,22 +47,22 @@ struct Measured {
   const HardwareLevel* level;
   int width, height;
   ShadingMode mode;
-  vectors::FourRates rates;
+  model::FourRates rates;
 };
 
 std::vector<Measured> measure_all(const Options& options) {
   std::vector<Measured> all;
   Progress progress("repro A: pictures");
   std::size_t total = 0;
-  for (const HardwareLevel& level : vectors::hardware_levels()) total += level.sizes.size();
+  for (const HardwareLevel& level : model::hardware_levels()) total += level.sizes.size();
   total *= options.scenes.size() * std::size(ref::kShadingModes);
   for (const std::string& name : options.scenes) {
     const ref::Scene scene = ref::load_scene(name);
-    for (const HardwareLevel& level : vectors::hardware_levels()) {
+    for (const HardwareLevel& level : model::hardware_levels()) {
       for (const auto& [width, height] : level.sizes) {
         for (const ShadingMode mode : ref::kShadingModes) {
           all.push_back({name, &level, width, height, mode,
-                         vectors::measure_architectures(scene, level.config, width, height, mode)});
+                         model::measure_architectures(scene, level.config, width, height, mode)});
           progress.tell(all.size(), total);
         }
       }
@@ -95,14 +95,14 @@ Json print_sizes() {
   for (const WidePixel wide : {WidePixel::kPlanes, WidePixel::kInterpolated}) {
     fmt::print("\nBuffers, kB; a wide pixel of beta: {}\n\n{:<8} {:>9} {:<8} {:>9} {:>9} {:>9} {:>9}   {}\n", kWideNames[int(wide)],
                "level", "frame", "shading", "alpha", "beta", "gamma", "delta", "gamma, delta against beta (the paper: 70 % less)");
-    for (const HardwareLevel& level : vectors::hardware_levels()) {
+    for (const HardwareLevel& level : model::hardware_levels()) {
       for (const auto& [width, height] : level.sizes) {
         for (const ShadingMode mode : ref::kShadingModes) {
           std::array<double, 4> total;
           Json row = {{"level", level.config}, {"width", width}, {"height", height}, {"shading", name_of(mode)},
                       {"wide_pixel", wide == WidePixel::kPlanes ? "planes" : "interpolated"}};
           for (std::size_t n = 0; n < 4; ++n) {
-            const auto bytes = vectors::buffer_sizes(level, width, height, ref::kArchitectures[n], mode, wide);
+            const auto bytes = model::buffer_sizes(level, width, height, ref::kArchitectures[n], mode, wide);
             total[n] = bytes.total();
             row[name_of(ref::kArchitectures[n])] = bytes_json(bytes);
           }
@@ -120,13 +120,13 @@ Json print_sizes() {
 // A line of bandwidth, MB/s, from the accesses by each architecture.
 Json print_bandwidth(const std::string& what, const HardwareLevel& level, int width, int height, ShadingMode mode, WidePixel wide,
                      const std::array<ref::BufferUses, 4>& uses) {
-  const vectors::BufferBits bits = vectors::buffer_bits(level, mode, wide);
+  const model::BufferBits bits = model::buffer_bits(level, mode, wide);
   std::array<double, 4> rate;
   Json row = {{"scene", what}, {"level", level.config}, {"width", width}, {"height", height}, {"shading", name_of(mode)},
               {"wide_pixel", wide == WidePixel::kPlanes ? "planes" : "interpolated"}};
   double tdbv = 0;
   for (std::size_t n = 0; n < 4; ++n) {
-    const auto bytes = vectors::buffer_traffic(uses[n], bits);
+    const auto bytes = model::buffer_traffic(uses[n], bits);
     rate[n] = bytes.total() * level.frames / 1e6;
     if (ref::kArchitectures[n] == Architecture::kGamma) tdbv = bytes.visibility * level.frames / 1e6;
     Json& of = row[name_of(ref::kArchitectures[n])] = bytes_json(bytes);
@@ -143,13 +143,13 @@ Json print_bandwidths(const std::vector<Measured>& all) {
   for (const WidePixel wide : {WidePixel::kPlanes, WidePixel::kInterpolated}) {
     fmt::print("\nBandwidth, MB/s; a wide pixel of beta: {}. TdbV is small enough to be on chip, so gamma stands without it as well.\n"
                "largest: all triangles of the level visible, {} fragments each, all of which pass.\n\n"
-               "{:<12} {:<7} {:>9} {:<8} {:>8} {:>8} {:>8} {:>8} {:>8}   {}\n", kWideNames[int(wide)], vectors::kTrianglePixels, "scene",
+               "{:<12} {:<7} {:>9} {:<8} {:>8} {:>8} {:>8} {:>8} {:>8}   {}\n", kWideNames[int(wide)], model::kTrianglePixels, "scene",
                "level", "frame", "shading", "alpha", "beta", "gamma", "- TdbV", "delta", "gamma - TdbV, delta against beta (the paper: 50–70 % less)");
-    for (const HardwareLevel& level : vectors::hardware_levels()) {
+    for (const HardwareLevel& level : model::hardware_levels()) {
       for (const auto& [width, height] : level.sizes) {
         for (const ShadingMode mode : ref::kShadingModes) {
           std::array<ref::BufferUses, 4> uses;
-          for (std::size_t n = 0; n < 4; ++n) uses[n] = vectors::largest_uses(level, width, height, ref::kArchitectures[n]);
+          for (std::size_t n = 0; n < 4; ++n) uses[n] = model::largest_uses(level, width, height, ref::kArchitectures[n]);
           rows.push_back(print_bandwidth("largest", level, width, height, mode, wide, uses));
         }
       }
@@ -177,16 +177,16 @@ void repro_a(const Options& options) {
 
 // --- paper B ---
 
-void print_model(const std::string& name, const vectors::TriangleCounts& n) {
-  const double dual = double(vectors::cost_dual(n)), one = double(vectors::cost_type_1(n)), two = double(vectors::cost_type_2(n));
+void print_model(const std::string& name, const model::TriangleCounts& n) {
+  const double dual = double(model::cost_dual(n)), one = double(model::cost_type_1(n)), two = double(model::cost_type_2(n));
   fmt::print("{:<22} {:>8} {:>8} {:>8} {:>6.1f}% {:>6.1f}% {:>9.0f}k {:>9.0f}k {:>9.0f}k {:>7.1f}% {:>7.1f}%\n", name, n.a, n.b, n.c,
              percent(double(n.c), double(n.b)), percent(double(n.c), double(n.a)), one / 1e3, two / 1e3, dual / 1e3, percent(dual, one),
              percent(dual, two));
 }
 
-Json model_json(const vectors::TriangleCounts& n) {
-  return {{"a", n.a}, {"b", n.b}, {"c", n.c}, {"type_1", vectors::cost_type_1(n)}, {"type_2", vectors::cost_type_2(n)},
-          {"dual", vectors::cost_dual(n)}};
+Json model_json(const model::TriangleCounts& n) {
+  return {{"a", n.a}, {"b", n.b}, {"c", n.c}, {"type_1", model::cost_type_1(n)}, {"type_2", model::cost_type_2(n)},
+          {"dual", model::cost_dual(n)}};
 }
 
 void repro_b(const Options& options) {
@@ -194,14 +194,14 @@ void repro_b(const Options& options) {
              "{:<22} {:>8} {:>8} {:>8} {:>7} {:>7} {:>10} {:>10} {:>10} {:>8} {:>8}\n", "320x200", "a", "b", "c", "c/b", "c/a", "type I",
              "type II", "dual", "/ I", "/ II");
   // As printed: counts of one model, and shares of the other, of which 10,000 triangles are taken.
-  constexpr vectors::TriangleCounts kDolphins{3000, 1451, 1206}, kCastle{10000, 4545, 2000};
+  constexpr model::TriangleCounts kDolphins{3000, 1451, 1206}, kCastle{10000, 4545, 2000};
   print_model("dolphins, the paper's", kDolphins);
   print_model("castle, the paper's %", kCastle);
   Json json = {{"paper", "dual pipeline"}, {"printed", {{"dolphins", model_json(kDolphins)}, {"castle", model_json(kCastle)}}},
                {"measured", Json::array()}};
-  std::vector<std::pair<std::string, vectors::LightingCost>> costs;
+  std::vector<std::pair<std::string, model::LightingCost>> costs;
   for (const std::string& name : options.scenes) {
-    costs.emplace_back(name, vectors::measure_lighting(ref::load_scene(name), "low", 320, 200));
+    costs.emplace_back(name, model::measure_lighting(ref::load_scene(name), "low", 320, 200));
     print_model(short_name(name), costs.back().second.triangles);
   }
   fmt::print("\nTime of our geometry stage, ms, one thread; a corner that triangles share is lit once\n\n"

@@ -7,24 +7,24 @@
 #include <memory>
 
 #include "cli/commands.hpp"
-#include "cli/gnuplot.hpp"
-#include "cli/progress.hpp"
+#include "cli/plots/gnuplot.hpp"
+#include "cli/common/progress.hpp"
 #include "ref/error.hpp"
-#include "vectors/configuration.hpp"
-#include "vectors/stability.hpp"
+#include "model/formats/configuration.hpp"
+#include "study/stability/stability.hpp"
 #include "vectors/staging.hpp"
 
 namespace halfspace::cli {
 namespace {
 
-using vectors::PlaneErrors;
-using vectors::PlaneMethod;
-using vectors::StabilityPoint;
-using vectors::StabilityStudy;
+using model::PlaneErrors;
+using model::PlaneMethod;
+using model::StabilityPoint;
+using model::StabilityStudy;
 
 struct Options {
   std::string config = "high", out, json;
-  vectors::StabilityOptions study;
+  model::StabilityOptions study;
 };
 
 struct Channel {
@@ -48,8 +48,8 @@ Json json_of(const std::vector<StabilityPoint>& points, const std::vector<Channe
   for (const StabilityPoint& p : points) {
     Json one = {{"log2", p.log2}, {"triangles", p.triangles}, {"pixels", p.pixels}, {"longest_edge_px", p.longest}};
     for (const Channel& c : channels) {
-      for (int m = 0; m < vectors::kPlaneMethods; ++m) {
-        one[c.name][vectors::plane_method_name(PlaneMethod(m))] = {{"largest_lsb", (p.*c.errors).largest[m]},
+      for (int m = 0; m < model::kPlaneMethods; ++m) {
+        one[c.name][model::plane_method_name(PlaneMethod(m))] = {{"largest_lsb", (p.*c.errors).largest[m]},
                                                                    {"beyond_half_lsb", (p.*c.errors).beyond[m]}};
       }
     }
@@ -63,9 +63,9 @@ std::string csv_of(const StabilityStudy& study, const std::vector<Channel>& chan
   for (const auto& [name, points] : {std::pair("aspect", &study.aspect), std::pair("size", &study.size)}) {
     for (const StabilityPoint& p : *points) {
       for (const Channel& c : channels) {
-        for (int m = 0; m < vectors::kPlaneMethods; ++m) {
+        for (int m = 0; m < model::kPlaneMethods; ++m) {
           text += fmt::format("{},{},{},{},{:.3f},{},\"{}\",{:.9g},{}\n", name, p.log2, p.triangles, p.pixels,
-                              p.longest, c.name, vectors::plane_method_name(PlaneMethod(m)),
+                              p.longest, c.name, model::plane_method_name(PlaneMethod(m)),
                               (p.*c.errors).largest[m], (p.*c.errors).beyond[m]);
         }
       }
@@ -99,11 +99,11 @@ void print_table(const char* what, const std::vector<StabilityPoint>& points, co
 std::string plot_script(const std::string& picture, const std::string& title, const char* axis,
                         const std::vector<StabilityPoint>& points, const std::vector<Channel>& channels) {
   constexpr double kLowerBorder = 1e-6;
-  constexpr const char* kStyles[vectors::kPlaneMethods] = {
+  constexpr const char* kStyles[model::kPlaneMethods] = {
       "lc rgb '#0b5fa5' lw 3 pt 7 ps 0.7", "lc rgb '#c0392b' lw 1.5 pt 4 ps 0.7", "lc rgb '#e08e0b' lw 1.5 pt 6 ps 0.7",
       "lc rgb '#7f8c8d' lw 1.5 pt 2 ps 0.6"};
-  constexpr PlaneMethod kFrontLast[] = {vectors::kFloatFromOrigin, vectors::kFloatFromVertex,
-                                        vectors::kSaturatedGradients, vectors::kKernelPlane};
+  constexpr PlaneMethod kFrontLast[] = {model::kFloatFromOrigin, model::kFloatFromVertex,
+                                        model::kSaturatedGradients, model::kKernelPlane};
   std::string script = fmt::format(
       "set terminal pngcairo size {},600 font 'sans,11' background rgb 'white'\nset output {}\n"
       "set multiplot layout 1,{} title {} font ',14' margins 0.075,0.98,0.24,0.86 spacing 0.09,0\n"
@@ -127,7 +127,7 @@ std::string plot_script(const std::string& picture, const std::string& title, co
     std::string plots;
     for (const PlaneMethod m : kFrontLast) {
       plots += fmt::format("$data{} using 1:{} with linespoints {} title '{}', \\\n", n, m + 2, kStyles[m],
-                           vectors::plane_method_name(m));
+                           model::plane_method_name(m));
     }
     script += fmt::format("plot {}{} with lines dt 2 lw 2 lc rgb '#0b5fa5' title 'proved bound of the kernels', \\\n"
                           "0.5 with lines dt 3 lw 1.5 lc rgb 'black' title '½ LSB'\nunset key\n", plots, c.bound);
@@ -136,16 +136,16 @@ std::string plot_script(const std::string& picture, const std::string& title, co
 }
 
 void study_stability(const Options& options) {
-  const vectors::Configuration configuration = vectors::find_configuration(options.config);
+  const model::Configuration configuration = model::find_configuration(options.config);
   const Config config = configuration.config();
   if (!has_planes(config)) {
     throw ref::Error(fmt::format("configuration {} has neither depth nor Gouraud planes: choose one that has",
                                  configuration.name()));
   }
-  vectors::StabilityOptions study_options = options.study;
+  model::StabilityOptions study_options = options.study;
   Progress progress("stability " + configuration.name());
   study_options.progress = [&](std::size_t done, std::size_t total) { progress.tell(done, total); };
-  const StabilityStudy study = vectors::stability_study(config, study_options);
+  const StabilityStudy study = model::stability_study(config, study_options);
   const std::vector<Channel> channels = channels_of(config, study);
 
   fmt::print("stability {}: largest error of planes before rounding, in LSB, {} triangles a row\n",
@@ -169,7 +169,7 @@ void study_stability(const Options& options) {
   write_json(options.json, json);
   if (options.out.empty()) return;
 
-  vectors::StagedFolder staged(options.out);
+  model::StagedFolder staged(options.out);
   staged.write("stability.csv", csv_of(study, channels));
   staged.write("stability.json", json.dump(1) + "\n");
   staged.commit();

@@ -7,11 +7,11 @@
 #include <set>
 
 #include "cli/commands.hpp"
-#include "cli/numbers.hpp"
-#include "cli/sweep_measure.hpp"
-#include "cli/sweep_plots.hpp"
-#include "cli/sweep_points.hpp"
-#include "cli/sweep_table.hpp"
+#include "cli/common/numbers.hpp"
+#include "cli/sweep/sweep_measure.hpp"
+#include "cli/sweep/sweep_plots.hpp"
+#include "cli/sweep/sweep_points.hpp"
+#include "cli/sweep/sweep_table.hpp"
 #include "ref/error.hpp"
 
 namespace halfspace::cli {

@@ -5,16 +5,16 @@
 #include <memory>
 
 #include "cli/commands.hpp"
-#include "cli/numbers.hpp"
-#include "cli/progress.hpp"
-#include "cli/scene_input.hpp"
+#include "cli/common/numbers.hpp"
+#include "cli/common/progress.hpp"
+#include "cli/common/scene_input.hpp"
 #include "ref/error.hpp"
-#include "vectors/engine.hpp"
+#include "model/pipeline/engine.hpp"
 #include "vectors/extremes.hpp"
-#include "vectors/frame_lighting.hpp"
+#include "vectors/awkward_normals.hpp"
 #include "vectors/standard_set.hpp"
 #include "vectors/static_sequence.hpp"
-#include "vectors/up_convert.hpp"
+#include "model/drivers/up_convert.hpp"
 #include "vectors/vector_set.hpp"
 
 namespace halfspace::cli {
@@ -32,20 +32,20 @@ struct Options {
 };
 
 // Normals of all kinds for the frames that there are; before them, frames for the normals.
-void add_normals(const Options& options, const vectors::Configuration& configuration, bool corners,
-                 std::vector<vectors::NamedFrame>& frames) {
+void add_normals(const Options& options, const model::Configuration& configuration, bool corners,
+                 std::vector<model::NamedFrame>& frames) {
   const Config config = configuration.config();
   for (std::size_t n = 0; n < frames.size(); ++n) {
     if (!frames[n].lighting.triangles.empty()) continue;  // the scene's
-    frames[n].lighting = vectors::awkward_normals(frames[n].scene.triangles.size(), config, options.seed + n);
+    frames[n].lighting = model::awkward_normals(frames[n].scene.triangles.size(), config, options.seed + n);
   }
   if (corners) {
-    std::vector<vectors::NamedFrame> first = vectors::normal_frames(vectors::raster_format(configuration), config, options.seed);
+    std::vector<model::NamedFrame> first = model::normal_frames(model::raster_format(configuration), config, options.seed);
     frames.insert(frames.begin(), std::make_move_iterator(first.begin()), std::make_move_iterator(first.end()));
   }
 }
 
-void tell(const Options& options, const vectors::Configuration& configuration, const std::string& manifest) {
+void tell(const Options& options, const model::Configuration& configuration, const std::string& manifest) {
   const Json json = Json::parse(manifest);
   std::size_t words = 0;
   for (const auto& stream : json["streams"]) words += stream["words"].get<std::size_t>();
@@ -55,23 +55,23 @@ void tell(const Options& options, const vectors::Configuration& configuration, c
 }
 
 // A frame between two keys of a scene, as the kernels draw these.
-vectors::NamedCompensation compensation_of(const Options& options, const vectors::Configuration& configuration) {
+model::NamedCompensation compensation_of(const Options& options, const model::Configuration& configuration) {
   const Config config = configuration.config();
   const auto times = interval_of(options.input);
   const FrameSize size = options.input.size.empty() ? FrameSize{config.width, config.height} : parse_size(options.input.size);
   if (size.width % config.samples != 0 || size.height % config.samples != 0) {
     throw ref::Error(fmt::format("--size {}: a pixel of a key frame is {} each way of those: take multiples", options.input.size, config.samples));
   }
-  vectors::KernelUpConverter converter(
-      {size.width / config.samples, size.height / config.samples, vectors::colour_configuration(configuration), configuration});
+  model::KernelUpConverter converter(
+      {size.width / config.samples, size.height / config.samples, model::colour_configuration(configuration), configuration});
   converter.set_keys(ref::load_scene(options.input.scene, times[0]), ref::load_scene(options.input.scene, times[1]));
   converter.at(ref::load_scene(options.input.scene, options.input.time), (options.input.time - times[0]) / (times[1] - times[0]));
-  const vectors::CompensationInput& in = converter.input();
+  const model::CompensationInput& in = converter.input();
   return {options.input.scene, in.width, in.height, {*in.key[0], *in.key[1]}, in.motion, in.weight};
 }
 
-vectors::VectorSetOptions set_of(const Options& options, const vectors::Configuration& configuration) {
-  vectors::VectorSetOptions set;
+model::VectorSetOptions set_of(const Options& options, const model::Configuration& configuration) {
+  model::VectorSetOptions set;
   set.scene = options.input.scene;
   set.configuration = configuration;
   set.lanes = options.lanes ? options.lanes : configuration.config().lanes;
@@ -79,45 +79,45 @@ vectors::VectorSetOptions set_of(const Options& options, const vectors::Configur
   return set;
 }
 
-void write_compensation(const Options& options, const vectors::Configuration& configuration) {
-  const vectors::VectorSetOptions set = set_of(options, configuration);
+void write_compensation(const Options& options, const model::Configuration& configuration) {
+  const model::VectorSetOptions set = set_of(options, configuration);
   Progress progress("vectors " + set.scene);
   tell(options, configuration,
-       vectors::write_compensation_set(options.out, set,
-                                       options.compensation ? std::vector<vectors::NamedCompensation>{compensation_of(options, configuration)}
-                                                            : vectors::compensation_frames(configuration.config(), options.seed),
+       model::write_compensation_set(options.out, set,
+                                       options.compensation ? std::vector<model::NamedCompensation>{compensation_of(options, configuration)}
+                                                            : model::compensation_frames(configuration.config(), options.seed),
                                        [&](std::size_t done, std::size_t total) { progress.tell(done, total); }));
 }
 
-void write_merge(const Options& options, const vectors::Configuration& configuration) {
-  const vectors::VectorSetOptions set = set_of(options, configuration);
-  vectors::Merger(configuration, set.lanes);  // refuses a configuration without objects
+void write_merge(const Options& options, const model::Configuration& configuration) {
+  const model::VectorSetOptions set = set_of(options, configuration);
+  model::Merger(configuration, set.lanes);  // refuses a configuration without objects
   Progress progress("vectors merge");
-  tell(options, configuration, vectors::write_merge_set(options.out, set, vectors::merge_frames(configuration.config(), options.seed),
+  tell(options, configuration, model::write_merge_set(options.out, set, model::merge_frames(configuration.config(), options.seed),
                                                         [&](std::size_t done, std::size_t total) { progress.tell(done, total); }));
 }
 
 // Two sets: the passes of a sequence at the ports of hs_pipeline, and the runs of ztest_merge.
-void write_static(const Options& options, const vectors::Configuration& configuration) {
-  const vectors::VectorSetOptions of_runs = set_of(options, configuration);
-  vectors::VectorSetOptions of_passes = of_runs;
+void write_static(const Options& options, const model::Configuration& configuration) {
+  const model::VectorSetOptions of_runs = set_of(options, configuration);
+  model::VectorSetOptions of_passes = of_runs;
   of_passes.ports = true;
   of_passes.window = options.input.window;
   const FrameSize size = parse_size(options.input.size.empty() ? "20x16" : options.input.size);
-  const vectors::StaticSequence sequence = vectors::static_sequence(
+  const model::StaticSequence sequence = model::static_sequence(
       {configuration, of_passes.lanes, size.width, size.height, options.buffers, options.query, of_passes.window}, options.objects, options.frames, options.seed);
   Progress progress("vectors static");
   const auto told = [&](std::size_t done, std::size_t total) { progress.tell(done, total); };
   Options part = options;
   part.out = options.out + "/pipeline";
-  tell(part, configuration, vectors::write_vector_set(part.out, of_passes, sequence.passes, told));
+  tell(part, configuration, model::write_vector_set(part.out, of_passes, sequence.passes, told));
   part.out = options.out + "/merge", part.json.clear();
-  tell(part, configuration, vectors::write_merge_set(part.out, of_runs, sequence.runs, told));
+  tell(part, configuration, model::write_merge_set(part.out, of_runs, sequence.runs, told));
 }
 
 void write_vectors(const Options& options) {
-  std::vector<vectors::NamedFrame> frames;
-  vectors::Configuration configuration = vectors::find_configuration(options.input.config.empty() ? "middle" : options.input.config);
+  std::vector<model::NamedFrame> frames;
+  model::Configuration configuration = model::find_configuration(options.input.config.empty() ? "middle" : options.input.config);
   if (options.input.scene == "merge") return write_merge(options, configuration);
   if (options.input.scene == "static") return write_static(options, configuration);
   if (options.input.scene == "compensation" || options.compensation) return write_compensation(options, configuration);
@@ -131,11 +131,11 @@ void write_vectors(const Options& options) {
     if (has_texture(configuration.config())) frames.back().texture = texture_of(scene);
     if (has_motion(configuration.config())) frames.back().motion = motion_of(scene);
   }
-  const ref::RasterFormat format = vectors::raster_format(configuration);
-  if (largest) frames = vectors::largest_frames(format);
+  const ref::RasterFormat format = model::raster_format(configuration);
+  if (largest) frames = model::largest_frames(format);
   if (corners) {
-    std::vector<vectors::NamedFrame> first = vectors::corner_frames(format);
-    for (auto& frame : vectors::random_frames(format, options.seed, options.random, options.random_triangles)) {
+    std::vector<model::NamedFrame> first = model::corner_frames(format);
+    for (auto& frame : model::random_frames(format, options.seed, options.random, options.random_triangles)) {
       first.push_back(std::move(frame));
     }
     first.insert(first.end(), std::make_move_iterator(frames.begin()), std::make_move_iterator(frames.end()));
@@ -147,22 +147,22 @@ void write_vectors(const Options& options) {
   if (has_texture(configuration.config())) {
     for (std::size_t n = 0; n < frames.size(); ++n) {
       if (!frames[n].texture.triangles.empty()) continue;  // the scene's
-      frames[n].texture = vectors::awkward_coordinates(frames[n].scene.triangles.size(), configuration.config(), options.seed + n);
+      frames[n].texture = model::awkward_coordinates(frames[n].scene.triangles.size(), configuration.config(), options.seed + n);
     }
   }
 
   if (has_motion(configuration.config())) {
     for (std::size_t n = 0; n < frames.size(); ++n) {
       if (!frames[n].motion.triangles.empty()) continue;  // the scene's
-      frames[n].motion = vectors::awkward_motion(frames[n].scene, configuration.config(), options.seed + n);
+      frames[n].motion = model::awkward_motion(frames[n].scene, configuration.config(), options.seed + n);
     }
   }
 
-  vectors::VectorSetOptions set = set_of(options, configuration);
+  model::VectorSetOptions set = set_of(options, configuration);
   if (!corners) set.seed = 0;
   set.window = options.input.window;
   Progress progress("vectors " + set.scene);
-  const std::string manifest = vectors::write_vector_set(
+  const std::string manifest = model::write_vector_set(
       options.out, set, frames, [&](std::size_t done, std::size_t total) { progress.tell(done, total); });
   tell(options, configuration, manifest);
 }

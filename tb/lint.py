@@ -30,13 +30,19 @@ CONFIGS = ["low", "middle", "high"]
 STAMPS = [(1, 1), (2, 2), (4, 4)]
 
 
+def sources(root):
+    """{stem: path} of the modules."""
+    return {path.stem: path for path in root.glob("*/hs_*.sv")}
+
+
 def lint(args, root, package, top, lanes):
     """What Verilator says, or '' if nothing."""
     bench = pathlib.Path(__file__).parent
-    source = (root if (root / f"{top}.sv").exists() else bench) / f"{top}.sv"
+    source = sources(root).get(top, bench / f"{top}.sv")
     text = source.read_text()
     command = [args.verilator, "--lint-only", "-Wall", "--top-module", top,
-               str(pathlib.Path(__file__).with_name("lint.vlt")), str(package), str(source), "-y", str(root)]
+               str(pathlib.Path(__file__).with_name("lint.vlt")), str(package), str(source)]
+    command += [part for room in sorted({path.parent for path in sources(root).values()}) for part in ("-y", str(room))]
     if source.parent == bench:
         command += ["-y", str(bench)]
     if re.search(r"\bparameter\b[^,;)]*\bLanesX\b", text):
@@ -48,14 +54,13 @@ def lint(args, root, package, top, lanes):
 
 def reached(root, top):
     """The stems of the files below `top`, itself included."""
-    found, todo = set(), [top]
+    found, todo, paths = set(), [top], sources(root)
     while todo:
         stem = todo.pop()
-        path = root / f"{stem}.sv"
-        if stem in found or not path.exists():
+        if stem in found or stem not in paths:
             continue
         found.add(stem)
-        todo += re.findall(r"^\s*(hs_\w+)\s+(?:#\s*\(|u_\w+)", path.read_text(), re.MULTILINE)
+        todo += re.findall(r"^\s*(hs_\w+)\s+(?:#\s*\(|u_\w+)", paths[stem].read_text(), re.MULTILINE)
     return found
 
 
@@ -66,11 +71,11 @@ def main():
     parser.add_argument("--rtl", type=pathlib.Path, default=pathlib.Path(__file__).resolve().parent.parent / "rtl")
     args = parser.parse_args()
     root = args.rtl
-    packages = args.package or [root / config / "hs_formats_pkg.sv" for config in CONFIGS]
+    packages = args.package or [root / "formats" / config / "hs_formats_pkg.sv" for config in CONFIGS]
     faults, todo = 0, []
     for top in TOPS:
-        if not (root / f"{top}.sv").exists():
-            print(f"lint: {root}/{top}.sv is missing")
+        if top not in sources(root):
+            print(f"lint: {root}: {top}.sv is missing")
             faults += 1
             continue
     for package in packages:
@@ -87,7 +92,7 @@ def main():
             print(f"lint: {top}, {package}, {lanes[0]}x{lanes[1]}:\n{output}")
             faults += 1
     seen = set().union(*(reached(root, top) for top in TOPS + BESIDE_PIPELINE))
-    for path in sorted(root.glob("hs_*.sv")):
+    for path in sorted(sources(root).values()):
         if path.stem not in seen:
             print(f"lint: no unit uses {path}: remove it, or add its unit to TOPS in tb/lint.py")
             faults += 1

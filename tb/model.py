@@ -45,7 +45,7 @@ def build(package, lanes, top, out, libraries, rtl=TB.parent / "rtl", verilator=
         raise Broken(f"{package}: no package of formats: print one with `halfspace package --config C -o {package}`")
     lanes_x = LANES_X[lanes]
     lanes_y = lanes // lanes_x
-    sources = sorted(rtl.glob("hs_*.sv"))
+    sources = sorted(rtl.glob("*/hs_*.sv"))
     sources += {"hs_units": [TB / "hs_units.sv", TB / "hs_bench_ram.sv"], "hs_pipeline": [],
                 "hs_phong_units": [TB / "hs_phong_units.sv", TB / "hs_bench_ram.sv"],
                 "hs_texture_units": [TB / "hs_texture_units.sv", TB / "hs_bench_ram.sv"],

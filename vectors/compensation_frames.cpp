@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <random>
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 namespace {
 
 class Maker {
@@ -116,4 +116,4 @@ NamedCompensation warm_frame(const Config& config, int words, std::uint64_t seed
   return make.frame("four tiles", side, side, 6, 2, words, false);
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "vectors/compensation.hpp"
+#include "model/motion/compensation.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 struct NamedCompensation {
   std::string note;
@@ -25,6 +25,6 @@ std::vector<NamedCompensation> compensation_frames(const Config& config, std::ui
 // `words` pixels of key frames of four tiles: a cache that has them misses nothing more.
 NamedCompensation warm_frame(const Config& config, int words, std::uint64_t seed);
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
 #endif  // HALFSPACE_VECTORS_COMPENSATION_FRAMES_HPP_

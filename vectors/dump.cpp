@@ -11,10 +11,10 @@
 #include <sstream>
 
 #include "ref/error.hpp"
-#include "ref/triangle_list.hpp"
+#include "ref/geometry/triangle_list.hpp"
 #include "vectors/staging.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 namespace fs = std::filesystem;
 
@@ -163,4 +163,4 @@ std::vector<Difference> compare_folders(const std::string& a, const std::string&
   return result;
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "ref/raster.hpp"
-#include "ref/snap.hpp"
+#include "ref/raster/raster.hpp"
+#include "ref/geometry/snap.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 void write_dump(const std::string& folder, const ref::SnappedList& scene, const ref::Frame& frame);
 
@@ -29,6 +29,6 @@ struct Difference {
 // Both folders are dumps or both are vector sets, of the same size. Throws ref::Error when they are not.
 std::vector<Difference> compare_folders(const std::string& a, const std::string& b);
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
 #endif  // HALFSPACE_VECTORS_DUMP_HPP_

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "vectors/extremes.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 const std::vector<ExtremeClass>& extreme_classes() {
   static const std::vector<ExtremeClass> classes = {
@@ -25,4 +25,4 @@ std::vector<NamedFrame> extreme_frames(const ref::RasterFormat& format) {
   return frames;
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

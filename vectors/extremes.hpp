@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numerical extremes: frames that need every bit of every width in hls/formats.hpp, for any configuration. The note
+// The numerical extremes: frames that need every bit of every width in hls/formats/formats.hpp, for any configuration. The note
 // of a frame says which.
 #ifndef HALFSPACE_VECTORS_EXTREMES_HPP_
 #define HALFSPACE_VECTORS_EXTREMES_HPP_
@@ -8,7 +8,7 @@
 
 #include "vectors/vector_set.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 // Shapes: vectors/extremes_shape.cpp
 std::vector<NamedFrame> smallest_area_frames(const ref::RasterFormat&);
@@ -41,6 +41,6 @@ std::vector<NamedFrame> extreme_frames(const ref::RasterFormat& format);
 // Vertices half a sub-pixel beside the centres of pixels, to either side, and a little less and more than half.
 ref::TriangleList finer_than_the_grid(const ref::RasterFormat& format);
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
 #endif  // HALFSPACE_VECTORS_EXTREMES_HPP_

@@ -8,7 +8,7 @@
 #include "vectors/extremes.hpp"
 #include "vectors/frame_builder.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 using ref::RasterFormat;
 
@@ -84,4 +84,4 @@ std::vector<NamedFrame> largest_frames(const RasterFormat& format) {
   return frames;
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

@@ -5,7 +5,7 @@
 #include "vectors/extremes.hpp"
 #include "vectors/frame_builder.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 using ref::RasterFormat;
 
@@ -199,4 +199,4 @@ std::vector<NamedFrame> order_frames(const RasterFormat& format) {
   return frames;
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

@@ -7,7 +7,7 @@
 #include "vectors/extremes.hpp"
 #include "vectors/frame_builder.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 using ref::RasterFormat;
 
@@ -159,4 +159,4 @@ std::vector<NamedFrame> full_scale_frames(const RasterFormat& format) {
   return frames;
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

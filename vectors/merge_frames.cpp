@@ -5,9 +5,9 @@
 #include <random>
 #include <utility>
 
-#include "ref/snap.hpp"
+#include "ref/geometry/snap.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 namespace {
 
 class Maker {
@@ -197,4 +197,4 @@ std::vector<NamedMerge> merge_frames(const Config& config, std::uint64_t seed) {
   return runs;
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

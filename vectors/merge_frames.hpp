@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "vectors/merge.hpp"
+#include "model/objects/merge.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 struct NamedMerge {
   std::string note;
@@ -26,6 +26,6 @@ struct NamedMerge {
 
 std::vector<NamedMerge> merge_frames(const Config& config, std::uint64_t seed);
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
 #endif  // HALFSPACE_VECTORS_MERGE_FRAMES_HPP_

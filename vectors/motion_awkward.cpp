@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <random>
 
-#include "vectors/motion.hpp"
+#include "model/motion/motion.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 MotionFrame awkward_motion(const ref::SnappedList& list, const Config& config, std::uint64_t seed) {
   std::mt19937_64 random(seed);
@@ -58,4 +58,4 @@ MotionFrame awkward_motion(const ref::SnappedList& list, const Config& config, s
   return frame;
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

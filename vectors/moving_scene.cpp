@@ -4,9 +4,9 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <utility>
 
-#include "ref/mesh_builder.hpp"
+#include "ref/builtin/mesh_builder.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 ref::Scene moving_scene(int objects) {
   ref::Scene scene;
@@ -84,4 +84,4 @@ bool SceneMotion::dim(ref::Scene& scene) {
   return true;
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

@@ -8,9 +8,9 @@
 #include <random>
 #include <vector>
 
-#include "ref/scene.hpp"
+#include "ref/scene/scene.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 // Up to 16 objects: quads that face the viewer and meet at equal depths, from both sides or one; solids; one smaller
 // than a pixel. Each has its own colours, so that no two look alike. After them one more, which is always there, so
@@ -39,6 +39,6 @@ class SceneMotion {
   int frame_ = 0, view_until_ = 0;  // of move_viewer
 };
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
 #endif  // HALFSPACE_VECTORS_MOVING_SCENE_HPP_

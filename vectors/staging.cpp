@@ -9,7 +9,7 @@
 
 #include "ref/error.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 namespace fs = std::filesystem;
 
@@ -63,4 +63,4 @@ void write_file(const std::string& path, const std::string& bytes) {
   staged.commit();
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

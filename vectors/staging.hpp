@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 // Files are written under other names and get their own in commit(); without it they are removed.
 class StagedFolder {
@@ -31,6 +31,6 @@ class StagedFolder {
 // One file, likewise.
 void write_file(const std::string& path, const std::string& bytes);
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
 #endif  // HALFSPACE_VECTORS_STAGING_HPP_

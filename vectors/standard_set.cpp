@@ -8,7 +8,7 @@
 #include "vectors/extremes.hpp"
 #include "vectors/frame_builder.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 using ref::RasterFormat;
 
@@ -95,4 +95,4 @@ std::vector<NamedFrame> random_frames(const RasterFormat& format, std::uint64_t 
   return frames;
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

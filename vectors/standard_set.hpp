@@ -9,13 +9,13 @@
 
 #include "vectors/vector_set.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 std::vector<NamedFrame> corner_frames(const ref::RasterFormat& format);
 
 // `frames` frames of `triangles` triangles each, of mixed kinds and sizes, from `seed`.
 std::vector<NamedFrame> random_frames(const ref::RasterFormat& format, std::uint64_t seed, int frames, int triangles);
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
 #endif  // HALFSPACE_VECTORS_STANDARD_SET_HPP_

@@ -5,7 +5,7 @@
 
 #include "vectors/moving_scene.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 StaticSequence static_sequence(const StaticFramesOptions& options, int objects, int frames, std::uint64_t seed) {
   StaticSequence out;
@@ -38,4 +38,4 @@ StaticSequence static_sequence(const StaticFramesOptions& options, int objects, 
   return out;
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "vectors/merge_frames.hpp"
-#include "vectors/static_frames.hpp"
+#include "model/drivers/static_frames.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 // Notes begin with the frame of the sequence. That of a run in which a pass is merged ends with "pass P", its place in
 // `passes`.
@@ -20,6 +20,6 @@ struct StaticSequence {
 // Of moving_scene(objects), from a seed.
 StaticSequence static_sequence(const StaticFramesOptions& options, int objects, int frames, std::uint64_t seed);
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
 #endif  // HALFSPACE_VECTORS_STATIC_SEQUENCE_HPP_

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <random>
 
-#include "vectors/texture.hpp"
+#include "model/texture/texture.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 namespace {
 
 constexpr int kMostLoaded = 1 << 12;  // texels: the words of a frame are loaded before it
@@ -79,4 +79,4 @@ TextureFrame awkward_coordinates(std::size_t triangles, const Config& config, st
   return frame;
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

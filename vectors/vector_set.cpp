@@ -13,10 +13,10 @@
 #include <utility>
 
 #include "ref/error.hpp"
-#include "vectors/engine.hpp"
+#include "model/pipeline/engine.hpp"
 #include "vectors/staging.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -194,22 +194,7 @@ bool is_of_ports(const Layout& layout) {
   return std::any_of(std::begin(kPorts), std::end(kPorts), [&](const char* name) { return layout.stream == name; });
 }
 
-std::vector<std::uint32_t> objects_of(const NamedFrame& frame, const Config& config) {
-  if (!frame.objects.empty()) return frame.objects;
-  const std::uint32_t most = (1u << config.object_bits) - 1;
-  std::vector<std::uint32_t> objects;
-  for (std::size_t k = 0; k < frame.scene.triangles.size(); ++k) objects.push_back(1 + std::uint32_t(k / 4) % most);
-  return objects;
-}
-
 }  // namespace
-
-void load_frame(Engine& engine, const Config& config, const NamedFrame& frame) {
-  if (has_lighting(config)) engine.light(frame.lighting);
-  if (has_texture(config)) engine.texture(frame.texture);
-  if (has_motion(config)) engine.move(frame.motion);
-  if (has_objects(config)) engine.number(objects_of(frame, config));
-}
 
 std::string write_vector_set(const std::string& folder, const VectorSetOptions& options,
                              const std::vector<NamedFrame>& frames,
@@ -249,4 +234,4 @@ std::string write_merge_set(const std::string& folder, const VectorSetOptions& o
   return write_unit_set(folder, options, Merger(options.configuration, options.lanes), runs, progress, [](Json&, const MergeResult&) {});
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

@@ -7,26 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "ref/snap.hpp"
 #include "vectors/compensation_frames.hpp"
-#include "vectors/configuration.hpp"
-#include "vectors/lighting.hpp"
+#include "model/formats/configuration.hpp"
 #include "vectors/merge_frames.hpp"
-#include "vectors/motion.hpp"
-#include "vectors/texture.hpp"
+#include "model/pipeline/named_frame.hpp"
 
-namespace halfspace::vectors {
-
-class Engine;
-
-struct NamedFrame {
-  std::string note;  // what the frame is for
-  ref::SnappedList scene;
-  LightingFrame lighting = {};  // with lighting: the normals of its triangles, and what they are lit with
-  TextureFrame texture = {};    // with texture: their coordinates, and the textures
-  MotionFrame motion = {};      // of a motion configuration: where they are in the key frames
-  std::vector<std::uint32_t> objects = {};  // of one with objects: theirs; if there are none, four triangles make an object
-};
+namespace halfspace::model {
 
 struct VectorSetOptions {
   std::string scene;   // name in the manifest
@@ -36,9 +22,6 @@ struct VectorSetOptions {
   int window = 0;          // of index reuse
   bool ports = false;      // the streams at the ports of hs_pipeline alone, and scan, which its frames end by
 };
-
-// Gives the engine what goes with the triangles of a frame, before it is drawn.
-void load_frame(Engine&, const Config&, const NamedFrame&);
 
 // Writes the streams of the frames to `folder`, which is made. The files appear there together, at the end, or not
 // at all; `progress` hears (frames done, frames). Returns the manifest's text. Throws ref::Error.
@@ -53,6 +36,6 @@ std::string write_compensation_set(const std::string& folder, const VectorSetOpt
 std::string write_merge_set(const std::string& folder, const VectorSetOptions& options, const std::vector<NamedMerge>& runs,
                             const std::function<void(std::size_t, std::size_t)>& progress);
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
 #endif  // HALFSPACE_VECTORS_VECTOR_SET_HPP_

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/area.hpp"
+#include "cli/common/area.hpp"
 
 #include <fmt/format.h>
 #include <sys/wait.h>
@@ -12,7 +12,7 @@
 #include <sstream>
 
 #include "ref/error.hpp"
-#include "vectors/package.hpp"
+#include "model/pipeline/package.hpp"
 #include "vectors/staging.hpp"
 
 namespace halfspace::cli {
@@ -80,12 +80,12 @@ std::string area_sources() {
   return all.str();
 }
 
-Json measure_area(const vectors::Configuration& configuration, const std::vector<std::string>& targets,
+Json measure_area(const model::Configuration& configuration, const std::vector<std::string>& targets,
                   const std::string& work) {
   const fs::path folder(work);
   const std::string package = (folder / "hs_formats_pkg.sv").string(), json = (folder / "area.json").string();
   const std::string log = (folder / "area.log").string();
-  vectors::write_file(package, vectors::formats_package(configuration));
+  model::write_file(package, model::formats_package(configuration));
   const int status = run_program({"python3", HALFSPACE_AREA_TOOL, "--package", package, "--lanes",
                                   std::to_string(configuration.config().lanes), "--targets", joined(targets), "--json", json},
                                  log);

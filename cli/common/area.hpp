@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The area of a configuration, by rtl/synth/area.py.
-#ifndef HALFSPACE_CLI_AREA_HPP_
-#define HALFSPACE_CLI_AREA_HPP_
+#ifndef HALFSPACE_CLI_COMMON_AREA_HPP_
+#define HALFSPACE_CLI_COMMON_AREA_HPP_
 
 #include <string>
 #include <vector>
 
 #include "cli/commands.hpp"
-#include "vectors/configuration.hpp"
+#include "model/formats/configuration.hpp"
 
 namespace halfspace::cli {
 
@@ -19,8 +19,8 @@ std::string area_sources();
 
 // With the lanes of the configuration: {"rows": …, "buffers": …, "yosys": …} of all units and the pipeline; its files, while it runs, are under `work`.
 // Throws ref::Error.
-Json measure_area(const vectors::Configuration&, const std::vector<std::string>& targets, const std::string& work);
+Json measure_area(const model::Configuration&, const std::vector<std::string>& targets, const std::string& work);
 
 }  // namespace halfspace::cli
 
-#endif  // HALFSPACE_CLI_AREA_HPP_
+#endif  // HALFSPACE_CLI_COMMON_AREA_HPP_

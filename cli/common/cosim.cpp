@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/cosim.hpp"
+#include "cli/common/cosim.hpp"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "cli/shell.hpp"
+#include "cli/common/shell.hpp"
 #include "ref/error.hpp"
-#include "vectors/package.hpp"
+#include "model/pipeline/package.hpp"
 #include "vectors/staging.hpp"
 
 namespace halfspace::cli {
@@ -24,16 +24,16 @@ void run(const std::string& command, const std::string& log, const std::string& 
 
 }  // namespace
 
-Cosimulation cosimulate(const std::string& folder, const std::string& scene, const vectors::Configuration& configuration, int lanes,
-                        const std::vector<vectors::NamedFrame>& frames) {
+Cosimulation cosimulate(const std::string& folder, const std::string& scene, const model::Configuration& configuration, int lanes,
+                        const std::vector<model::NamedFrame>& frames) {
   const std::filesystem::path work(folder);
   std::filesystem::create_directories(work);
   const std::string package = (work / "hs_formats_pkg.sv").string(), report = (work / "cosim.json").string();
-  vectors::write_file(package, vectors::formats_package(configuration));
+  model::write_file(package, model::formats_package(configuration));
   run(fmt::format("python3 {} --package {} --lanes {} --out {} --library {} --library {}", shell_quoted(HALFSPACE_MODEL_TOOL), shell_quoted(package),
                   lanes, shell_quoted((work / "model").string()), shell_quoted(HALFSPACE_TB_LIBRARY), shell_quoted(HALFSPACE_VERILATED_LIBRARY)),
       (work / "model.log").string(), "building the bench");
-  vectors::write_vector_set((work / "vectors").string(), {scene, configuration, lanes, 0}, frames, nullptr);
+  model::write_vector_set((work / "vectors").string(), {scene, configuration, lanes, 0}, frames, nullptr);
   std::filesystem::remove(report);
   // Its status tells of mismatches as well: the report decides.
   const int status = std::system(fmt::format("{} {} --json {} > {} 2>&1", shell_quoted((work / "model" / "bench").string()),

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The RTL of a configuration on frames, from within the program: its package is printed, its bench is built by tb/model.py,
 // and the streams of the kernels are held against it.
-#ifndef HALFSPACE_CLI_COSIM_HPP_
-#define HALFSPACE_CLI_COSIM_HPP_
+#ifndef HALFSPACE_CLI_COMMON_COSIM_HPP_
+#define HALFSPACE_CLI_COMMON_COSIM_HPP_
 
 #include <cstdint>
 #include <string>
@@ -17,9 +17,9 @@ struct Cosimulation {
 };
 
 // Works in `folder`, which stays. Throws ref::Error when the bench cannot be built or run.
-Cosimulation cosimulate(const std::string& folder, const std::string& scene, const vectors::Configuration& configuration, int lanes,
-                        const std::vector<vectors::NamedFrame>& frames);
+Cosimulation cosimulate(const std::string& folder, const std::string& scene, const model::Configuration& configuration, int lanes,
+                        const std::vector<model::NamedFrame>& frames);
 
 }  // namespace halfspace::cli
 
-#endif  // HALFSPACE_CLI_COSIM_HPP_
+#endif  // HALFSPACE_CLI_COMMON_COSIM_HPP_

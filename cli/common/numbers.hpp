@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Numbers of options, and what is said of others.
-#ifndef HALFSPACE_CLI_NUMBERS_HPP_
-#define HALFSPACE_CLI_NUMBERS_HPP_
+#ifndef HALFSPACE_CLI_COMMON_NUMBERS_HPP_
+#define HALFSPACE_CLI_COMMON_NUMBERS_HPP_
 
 #include <fmt/format.h>
 
@@ -28,4 +28,4 @@ inline CLI::Validator zero_or_more() {
 
 }  // namespace halfspace::cli
 
-#endif  // HALFSPACE_CLI_NUMBERS_HPP_
+#endif  // HALFSPACE_CLI_COMMON_NUMBERS_HPP_

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Progress of work that takes longer than two seconds, on standard error.
-#ifndef HALFSPACE_CLI_PROGRESS_HPP_
-#define HALFSPACE_CLI_PROGRESS_HPP_
+#ifndef HALFSPACE_CLI_COMMON_PROGRESS_HPP_
+#define HALFSPACE_CLI_COMMON_PROGRESS_HPP_
 
 #include <unistd.h>
 
@@ -40,4 +40,4 @@ class Progress {
 
 }  // namespace halfspace::cli
 
-#endif  // HALFSPACE_CLI_PROGRESS_HPP_
+#endif  // HALFSPACE_CLI_COMMON_PROGRESS_HPP_

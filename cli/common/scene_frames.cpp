@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/scene_frames.hpp"
+#include "cli/common/scene_frames.hpp"
 
 #include <fmt/format.h>
 
@@ -7,10 +7,10 @@
 #include <cmath>
 #include <memory>
 
-#include "cli/numbers.hpp"
-#include "cli/scene_input.hpp"
+#include "cli/common/numbers.hpp"
+#include "cli/common/scene_input.hpp"
 #include "ref/error.hpp"
-#include "ref/scene.hpp"
+#include "ref/scene/scene.hpp"
 
 namespace halfspace::cli {
 namespace {
@@ -37,8 +37,8 @@ void add_frame_options(CLI::App* command, FrameInput& input) {
   command->add_option("--rate", input.rate, "frames a second")->capture_default_str()->check(above_zero());
 }
 
-vectors::FitScene load_frames(const FrameInput& input) {
-  vectors::FitScene result{input.scene, 0, 0, {}, {}, {}};
+model::FitScene load_frames(const FrameInput& input) {
+  model::FitScene result{input.scene, 0, 0, {}, {}, {}};
   if (ref::is_tri_file(input.scene)) {
     const auto list = std::make_shared<ref::TriangleList>(ref::read_tri(input.scene));
     if (list->triangles.empty()) throw ref::Error(fmt::format("{}: no triangle: nothing to fit", input.scene));

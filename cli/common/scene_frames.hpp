@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The frames of a scene, before anything of a configuration is known.
-#ifndef HALFSPACE_CLI_SCENE_FRAMES_HPP_
-#define HALFSPACE_CLI_SCENE_FRAMES_HPP_
+#ifndef HALFSPACE_CLI_COMMON_SCENE_FRAMES_HPP_
+#define HALFSPACE_CLI_COMMON_SCENE_FRAMES_HPP_
 
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "vectors/fit.hpp"
+#include "study/fit/fit.hpp"
 
 namespace halfspace::cli {
 
@@ -20,8 +20,8 @@ struct FrameInput {
 void add_frame_options(CLI::App* command, FrameInput& input);
 
 // Throws ref::Error.
-vectors::FitScene load_frames(const FrameInput& input);
+model::FitScene load_frames(const FrameInput& input);
 
 }  // namespace halfspace::cli
 
-#endif  // HALFSPACE_CLI_SCENE_FRAMES_HPP_
+#endif  // HALFSPACE_CLI_COMMON_SCENE_FRAMES_HPP_

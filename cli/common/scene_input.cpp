@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/scene_input.hpp"
+#include "cli/common/scene_input.hpp"
 
 #include <fmt/format.h>
 
@@ -10,13 +10,13 @@
 #include <memory>
 
 #include "ref/error.hpp"
-#include "ref/geometry.hpp"
-#include "ref/scene.hpp"
-#include "ref/surface.hpp"
-#include "ref/triangle_list.hpp"
-#include "vectors/engine.hpp"
-#include "vectors/frame_lighting.hpp"
-#include "vectors/up_convert.hpp"
+#include "ref/geometry/geometry.hpp"
+#include "ref/scene/scene.hpp"
+#include "ref/geometry/surface.hpp"
+#include "ref/geometry/triangle_list.hpp"
+#include "model/pipeline/engine.hpp"
+#include "model/shade/frame_lighting.hpp"
+#include "model/drivers/up_convert.hpp"
 
 namespace halfspace::cli {
 namespace {
@@ -24,7 +24,7 @@ namespace {
 // snap() knows a list, and not where it came from.
 ref::SnappedList snap_scene(const std::string& name, const ref::TriangleList& list, const ref::RasterFormat& format) {
   try {
-    return ref::snap(list, format, vectors::raster_formats());
+    return ref::snap(list, format, model::raster_formats());
   } catch (const ref::Error& error) {
     throw ref::Error(fmt::format("{}: {}", name, error.what()));
   }
@@ -81,20 +81,20 @@ ref::Geometry geometry_of(const LoadedScene& loaded) {
 
 }  // namespace
 
-vectors::LightingFrame lighting_of(const LoadedScene& loaded) {
-  return vectors::frame_lighting(geometry_of(loaded), loaded.configuration.config());
+model::LightingFrame lighting_of(const LoadedScene& loaded) {
+  return model::frame_lighting(geometry_of(loaded), loaded.configuration.config());
 }
 
-vectors::TextureFrame texture_of(const LoadedScene& loaded) {
-  return vectors::texture_frame(geometry_of(loaded), loaded.configuration.config());
+model::TextureFrame texture_of(const LoadedScene& loaded) {
+  return model::texture_frame(geometry_of(loaded), loaded.configuration.config());
 }
 
-vectors::MotionFrame motion_of(const LoadedScene& loaded) {
-  return vectors::motion_frame(*loaded.between, loaded.configuration.config(), loaded.change);
+model::MotionFrame motion_of(const LoadedScene& loaded) {
+  return model::motion_frame(*loaded.between, loaded.configuration.config(), loaded.change);
 }
 
-std::unique_ptr<vectors::Engine> kernels_of(const LoadedScene& loaded, int lanes) {
-  auto engine = vectors::make_engine(loaded.configuration, lanes);
+std::unique_ptr<model::Engine> kernels_of(const LoadedScene& loaded, int lanes) {
+  auto engine = model::make_engine(loaded.configuration, lanes);
   if (has_lighting(loaded.configuration.config())) engine->light(lighting_of(loaded));
   if (has_texture(loaded.configuration.config())) engine->texture(texture_of(loaded));
   if (has_motion(loaded.configuration.config())) engine->move(motion_of(loaded));
@@ -117,7 +117,7 @@ ref::Frame reference_of(const LoadedScene& loaded) {
   if ((!has_lighting(config) && !has_texture(config)) || !loaded.scene) return ref::render(loaded.list);
   ref::Geometry geometry = geometry_of(loaded);
   ref::SnappedList list = loaded.list;
-  if (has_lighting(config) && !is_phong(config)) list = ref::distantly_lit(std::move(list), geometry, vectors::most_squarings(config));
+  if (has_lighting(config) && !is_phong(config)) list = ref::distantly_lit(std::move(list), geometry, model::most_squarings(config));
   auto surface = is_phong(config) ? ref::lit_surface(geometry, list, ref::ShadingMode::kPhong) : ref::given_surface(list);
   if (has_texture(config)) {
     surface = ref::textured_surface(std::move(surface), geometry, list, texture_mode(config));
@@ -145,13 +145,13 @@ ref::OfKeys<double> interval_of(const SceneInput& input) {
 namespace {
 
 // The triangles in between, by their exact positions.
-LoadedScene load_between(const SceneInput& input, const vectors::Configuration& configuration) {
+LoadedScene load_between(const SceneInput& input, const model::Configuration& configuration) {
   if (input.interval.empty() || ref::is_tri_file(input.scene)) {
     throw ref::Error(fmt::format("{}: configuration {} is of frames between key frames: name an animated scene, and the times by --time and "
                                  "--interval T0:T1", input.scene, configuration.name()));
   }
   const ref::OfKeys<double> times = interval_of(input);
-  const ref::RasterFormat format = vectors::raster_format(configuration);
+  const ref::RasterFormat format = model::raster_format(configuration);
   const FrameSize size = input.size.empty() ? FrameSize{format.width, format.height} : parse_size(input.size);
   const auto scene = std::make_shared<ref::Scene>(ref::load_scene(input.scene, input.time));
   const ref::View view{size.width, size.height, format.range_bits, format.subpixel_bits};
@@ -161,7 +161,7 @@ LoadedScene load_between(const SceneInput& input, const vectors::Configuration& 
   LoadedScene loaded{snap_scene(input.scene, between->list, format), configuration,
                      [scene](const ref::View& v) { return ref::project(*scene, v); }, scene, between};
   if (!relights(configuration.config())) return loaded;
-  loaded.change = vectors::light_changes(*scene, {&keys[0], &keys[1]}, view, format.colour_bits, false);
+  loaded.change = model::light_changes(*scene, {&keys[0], &keys[1]}, view, format.colour_bits, false);
   return loaded;
 }
 
@@ -170,15 +170,15 @@ LoadedScene load_between(const SceneInput& input, const vectors::Configuration& 
 LoadedScene load_snapped(const SceneInput& input) {
   FrameSize size;
   if (!input.size.empty()) size = parse_size(input.size);
-  const vectors::Configuration chosen = vectors::find_configuration(input.config.empty() ? "middle" : input.config);
+  const model::Configuration chosen = model::find_configuration(input.config.empty() ? "middle" : input.config);
   if (has_motion(chosen.config())) return load_between(input, chosen);
   if (!input.interval.empty()) {
     throw ref::Error(fmt::format("--interval {}: configuration {} shades frames: leave it out, or name a configuration with shading = \"motion\"",
                                  input.interval, chosen.name()));
   }
-  const ref::RasterFormat first = vectors::raster_format(chosen);
+  const ref::RasterFormat first = model::raster_format(chosen);
 
-  vectors::Projection project;
+  model::Projection project;
   std::shared_ptr<ref::Scene> scene;
   if (ref::is_tri_file(input.scene)) {
     const auto list = std::make_shared<ref::TriangleList>(ref::read_tri(input.scene));
@@ -196,11 +196,11 @@ LoadedScene load_snapped(const SceneInput& input) {
       snap_scene(input.scene, empty, first);  // throws
     }
     scene = std::make_shared<ref::Scene>(ref::load_scene(input.scene, input.time, has_texture(chosen.config())));
-    for (const std::string& loss : vectors::fit_textures(*scene, chosen.config())) std::fprintf(stderr, "warning: %s\n", loss.c_str());
+    for (const std::string& loss : model::fit_textures(*scene, chosen.config())) std::fprintf(stderr, "warning: %s\n", loss.c_str());
     project = [scene](const ref::View& view) { return ref::project(*scene, view); };
   }
-  auto snapped = [&](const vectors::Configuration& configuration) -> LoadedScene {
-    ref::RasterFormat format = vectors::raster_format(configuration);
+  auto snapped = [&](const model::Configuration& configuration) -> LoadedScene {
+    ref::RasterFormat format = model::raster_format(configuration);
     if (input.window != 0) format.triangles = std::numeric_limits<int>::max();
     const ref::TriangleList list = project({size.width, size.height, format.range_bits, format.subpixel_bits});
     return {snap_scene(input.scene, list, format), configuration, project, scene, nullptr};
@@ -210,7 +210,7 @@ LoadedScene load_snapped(const SceneInput& input) {
   try {
     return snapped(chosen);
   } catch (const ref::Error&) {
-    return snapped(vectors::find_configuration("high"));
+    return snapped(model::find_configuration("high"));
   }
 }
 

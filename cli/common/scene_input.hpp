@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // From the name of a scene to the snapped triangles of a frame.
-#ifndef HALFSPACE_CLI_SCENE_INPUT_HPP_
-#define HALFSPACE_CLI_SCENE_INPUT_HPP_
+#ifndef HALFSPACE_CLI_COMMON_SCENE_INPUT_HPP_
+#define HALFSPACE_CLI_COMMON_SCENE_INPUT_HPP_
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -9,18 +9,18 @@
 #include <memory>
 #include <string>
 
-#include "ref/snap.hpp"
-#include "ref/architecture.hpp"
-#include "ref/motion.hpp"
-#include "ref/raster.hpp"
-#include "ref/relight.hpp"
-#include "ref/scene.hpp"
-#include "ref/surface.hpp"
-#include "vectors/configuration.hpp"
-#include "vectors/engine.hpp"
-#include "vectors/lighting.hpp"
-#include "vectors/motion.hpp"
-#include "vectors/trade.hpp"
+#include "ref/geometry/snap.hpp"
+#include "ref/raster/architecture.hpp"
+#include "ref/motion/motion.hpp"
+#include "ref/raster/raster.hpp"
+#include "ref/motion/relight.hpp"
+#include "ref/scene/scene.hpp"
+#include "ref/geometry/surface.hpp"
+#include "model/formats/configuration.hpp"
+#include "model/pipeline/engine.hpp"
+#include "model/shade/lighting.hpp"
+#include "model/motion/motion.hpp"
+#include "study/trade/trade.hpp"
 
 namespace halfspace::cli {
 
@@ -41,8 +41,8 @@ void add_scene_options(CLI::App* command, SceneInput& input);
 
 struct LoadedScene {
   ref::SnappedList list;
-  vectors::Configuration configuration;  // of its format
-  vectors::Projection project;           // the scene as another view sees it
+  model::Configuration configuration;  // of its format
+  model::Projection project;           // the scene as another view sees it
   std::shared_ptr<ref::Scene> scene;     // null of a *.tri
   std::shared_ptr<ref::Between> between;  // of a motion configuration: the triangles of `list`, and where they are in the key frames
   ref::OfKeys<ref::LightChange> change{};  // of one that relights: what the light changes on them from each key
@@ -52,15 +52,15 @@ struct LoadedScene {
 ref::OfKeys<double> interval_of(const SceneInput& input);
 
 // The lights, materials and normals of the triangles. Throws ref::Error where there are none.
-vectors::LightingFrame lighting_of(const LoadedScene& loaded);
+model::LightingFrame lighting_of(const LoadedScene& loaded);
 // The textures, and the coordinates of the triangles. Throws ref::Error likewise.
-vectors::TextureFrame texture_of(const LoadedScene& loaded);
+model::TextureFrame texture_of(const LoadedScene& loaded);
 
 // Where the triangles are in the key frames; colours as if they were the same in these.
-vectors::MotionFrame motion_of(const LoadedScene& loaded);
+model::MotionFrame motion_of(const LoadedScene& loaded);
 
 // The kernels of its configuration, with its lighting, its textures or its motion if they take them.
-std::unique_ptr<vectors::Engine> kernels_of(const LoadedScene& loaded, int lanes);
+std::unique_ptr<model::Engine> kernels_of(const LoadedScene& loaded, int lanes);
 
 // The picture of a drawing, with its buffers.
 ref::Frame frame_of(const ref::SnappedList& list, ref::Drawing drawing);
@@ -88,4 +88,4 @@ LoadedScene load_snapped(const SceneInput& input);
 
 }  // namespace halfspace::cli
 
-#endif  // HALFSPACE_CLI_SCENE_INPUT_HPP_
+#endif  // HALFSPACE_CLI_COMMON_SCENE_INPUT_HPP_

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/sequence.hpp"
+#include "cli/common/sequence.hpp"
 
 #include <fmt/format.h>
 
@@ -7,14 +7,14 @@
 #include <cmath>
 #include <optional>
 
-#include "cli/numbers.hpp"
-#include "cli/progress.hpp"
-#include "cli/scene_input.hpp"
+#include "cli/common/numbers.hpp"
+#include "cli/common/progress.hpp"
+#include "cli/common/scene_input.hpp"
 #include "ref/error.hpp"
-#include "ref/quality.hpp"
-#include "ref/viewpoint.hpp"
-#include "vectors/texture.hpp"
-#include "vectors/up_convert.hpp"
+#include "ref/motion/quality.hpp"
+#include "ref/geometry/viewpoint.hpp"
+#include "model/texture/texture.hpp"
+#include "model/drivers/up_convert.hpp"
 
 namespace halfspace::cli {
 namespace {
@@ -55,12 +55,12 @@ class ReferenceConverter : public Converter {
 
 class KernelConverter : public Converter {
  public:
-  explicit KernelConverter(const vectors::KernelUpConversion& mode) : converter_(mode) {}
+  explicit KernelConverter(const model::KernelUpConversion& mode) : converter_(mode) {}
 
   void set_keys(const ref::Scene& first, const ref::Scene& second) override { converter_.set_keys(first, second); }
   const ref::Colours& key(int k) const override { return converter_.key_colour(k); }
   SequenceFrame at(const ref::Scene& between, double a) override {
-    vectors::KernelFrameBetween made = converter_.at(between, a);
+    model::KernelFrameBetween made = converter_.at(between, a);
     SequenceFrame out;
     out.shown = std::move(made.colour);
     out.rendered = std::move(made.rendered);
@@ -70,7 +70,7 @@ class KernelConverter : public Converter {
   }
 
  private:
-  vectors::KernelUpConverter converter_;
+  model::KernelUpConverter converter_;
 };
 
 std::unique_ptr<Converter> reference_converter(const SequenceOptions& options, const FrameSize& size, const ref::RasterFormat& format) {
@@ -93,25 +93,25 @@ std::unique_ptr<Converter> reference_converter(const SequenceOptions& options, c
 }
 
 // The configuration that draws frames of this size, with texture if it is asked for.
-vectors::Configuration colour_configuration(const SequenceOptions& options, const FrameSize& size) {
-  const auto fits = [&](const vectors::Configuration& c) {
+model::Configuration colour_configuration(const SequenceOptions& options, const FrameSize& size) {
+  const auto fits = [&](const model::Configuration& c) {
     return size.width * options.samples <= c.config().width && size.height * options.samples <= c.config().height;
   };
-  vectors::Configuration chosen = vectors::find_configuration(options.config.empty() ? "middle" : options.config);
-  if (options.config.empty() && !fits(chosen)) chosen = vectors::find_configuration("high");
+  model::Configuration chosen = model::find_configuration(options.config.empty() ? "middle" : options.config);
+  if (options.config.empty() && !fits(chosen)) chosen = model::find_configuration("high");
   if (!fits(chosen)) {
     throw ref::Error(fmt::format("--size {}: with {} samples a pixel each way it is more than configuration {} draws: take a smaller "
                                  "one, or a larger configuration", options.size, options.samples, chosen.name()));
   }
   if (options.texture == "none" || has_texture(chosen.config())) return chosen;
-  return vectors::textured_configuration(chosen, options.texture == "nearest" ? TextureFilter::kNearest : TextureFilter::kBilinear);
+  return model::textured_configuration(chosen, options.texture == "nearest" ? TextureFilter::kNearest : TextureFilter::kBilinear);
 }
 
 // "weight_bits=4"
 void set_number(Config& config, const std::string& text) {
   const std::size_t sign = text.find('=');
   std::string known;
-  for (const vectors::ConfigField& field : vectors::motion_fields()) {
+  for (const model::ConfigField& field : model::motion_fields()) {
     known += fmt::format("{}{}", known.empty() ? "" : ", ", field.name);
     if (sign == std::string::npos || text.compare(0, sign, field.name) != 0 || text.size() == sign + 1) continue;
     if (text.find_first_not_of("0123456789", sign + 1) != std::string::npos || text.size() > sign + 7) break;
@@ -121,20 +121,20 @@ void set_number(Config& config, const std::string& text) {
   throw ref::Error(fmt::format("--set {}: no number of the motion: write it like weight_bits=4, of {}", text, known));
 }
 
-vectors::Configuration motion_of(const SequenceOptions& options, const FrameSize& size, const vectors::Configuration& colour) {
+model::Configuration motion_of(const SequenceOptions& options, const FrameSize& size, const model::Configuration& colour) {
   if (!options.motion.empty()) {
-    Config numbers = vectors::find_configuration(options.motion).config();
+    Config numbers = model::find_configuration(options.motion).config();
     for (const std::string& text : options.set) set_number(numbers, text);
-    return vectors::Configuration(numbers.name, numbers);
+    return model::Configuration(numbers.name, numbers);
   }
-  Config numbers = vectors::default_motion(colour.config());
-  if (!options.filter.empty()) vectors::set_choice(numbers, "filter", options.filter);
-  if (!options.mapping.empty()) vectors::set_choice(numbers, "mapping", options.mapping);
+  Config numbers = model::default_motion(colour.config());
+  if (!options.filter.empty()) model::set_choice(numbers, "filter", options.filter);
+  if (!options.mapping.empty()) model::set_choice(numbers, "mapping", options.mapping);
   if (options.method == "straight") numbers.mapping = TextureMapping::kAffine;
   numbers.relight = options.relight && options.method == "exact" ? 1 : 0;
   numbers.samples = options.samples;
   for (const std::string& text : options.set) set_number(numbers, text);
-  return vectors::motion_configuration(colour, numbers, size.width * options.samples, size.height * options.samples);
+  return model::motion_configuration(colour, numbers, size.width * options.samples, size.height * options.samples);
 }
 
 int between_of(const std::string& keys) {
@@ -200,7 +200,7 @@ Sequence run_sequence(const SequenceOptions& options, const std::function<void(c
   const int frames = options.frames ? std::min(options.frames, all) : all;
   if (frames < 3) throw ref::Error(fmt::format("{}: {} frames from --first on, and two keys with one in between are 3: take more", options.scene, std::max(frames, 0)));
 
-  const vectors::Configuration colour = colour_configuration(options, size);
+  const model::Configuration colour = colour_configuration(options, size);
   Sequence out{size.width, size.height, frames, {}, colour.name(), ""};
   std::optional<ref::DepthPlanes> planes;
   const auto scene_at = [&](int number) {
@@ -213,19 +213,19 @@ Sequence run_sequence(const SequenceOptions& options, const std::function<void(c
   const auto fitted = [&](int number) {
     ref::Scene at = scene_at(number);
     at.depth_planes = planes;
-    if (has_texture(colour.config())) vectors::fit_textures(at, colour.config());
+    if (has_texture(colour.config())) model::fit_textures(at, colour.config());
     return at;
   };
   std::unique_ptr<Converter> converter;
   if (options.engine == "ref") {
-    converter = reference_converter(options, size, vectors::raster_format(colour));
+    converter = reference_converter(options, size, model::raster_format(colour));
   } else {
     if (!options.index_test || options.surfaces) throw ref::Error("--no-index-test, --surfaces: the kernels go by faces: take --engine ref");
-    const vectors::Configuration motion = motion_of(options, size, colour);
+    const model::Configuration motion = motion_of(options, size, colour);
     out.motion = motion.name();
-    out.tile_bytes = 64 * vectors::key_pixel_bits(motion.config()) / 8;
+    out.tile_bytes = 64 * model::key_pixel_bits(motion.config()) / 8;
     const auto method = options.method == "straight" ? ref::MotionMethod::kStraight : ref::MotionMethod::kExact;
-    vectors::KernelUpConversion mode{size.width, size.height, colour, motion, method, options.half};
+    model::KernelUpConversion mode{size.width, size.height, colour, motion, method, options.half};
     mode.static_buffer = options.static_buffer;
     converter = std::make_unique<KernelConverter>(mode);
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Frame-rate up-conversion of an animation: key frames, and what is made between them.
-#ifndef HALFSPACE_CLI_SEQUENCE_HPP_
-#define HALFSPACE_CLI_SEQUENCE_HPP_
+#ifndef HALFSPACE_CLI_COMMON_SEQUENCE_HPP_
+#define HALFSPACE_CLI_COMMON_SEQUENCE_HPP_
 
 #include <CLI/CLI.hpp>
 #include <functional>
@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "cli/commands.hpp"
-#include "cli/scene_input.hpp"
-#include "ref/up_convert.hpp"
-#include "vectors/configuration.hpp"
+#include "cli/common/scene_input.hpp"
+#include "ref/motion/up_convert.hpp"
+#include "model/formats/configuration.hpp"
 
 namespace halfspace::cli {
 
@@ -64,4 +64,4 @@ Sequence run_sequence(const SequenceOptions& options, const std::function<void(c
 
 }  // namespace halfspace::cli
 
-#endif  // HALFSPACE_CLI_SEQUENCE_HPP_
+#endif  // HALFSPACE_CLI_COMMON_SEQUENCE_HPP_

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/sequence_quality.hpp"
+#include "cli/common/sequence_quality.hpp"
 
 #include <fmt/format.h>
 
-#include "cli/gnuplot.hpp"
-#include "cli/video.hpp"
+#include "cli/plots/gnuplot.hpp"
+#include "cli/plots/video.hpp"
 
 namespace halfspace::cli {
 namespace {

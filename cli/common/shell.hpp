@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Programs that are called by the shell.
-#ifndef HALFSPACE_CLI_SHELL_HPP_
-#define HALFSPACE_CLI_SHELL_HPP_
+#ifndef HALFSPACE_CLI_COMMON_SHELL_HPP_
+#define HALFSPACE_CLI_COMMON_SHELL_HPP_
 
 #include <cstdlib>
 #include <string>
@@ -21,4 +21,4 @@ inline bool is_installed(const std::string& program) {
 
 }  // namespace halfspace::cli
 
-#endif  // HALFSPACE_CLI_SHELL_HPP_
+#endif  // HALFSPACE_CLI_COMMON_SHELL_HPP_

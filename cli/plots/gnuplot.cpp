@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/gnuplot.hpp"
+#include "cli/plots/gnuplot.hpp"
 
 #include <fmt/format.h>
 
 #include <cstdio>
 #include <filesystem>
 
-#include "cli/shell.hpp"
+#include "cli/common/shell.hpp"
 #include "ref/error.hpp"
 
 namespace halfspace::cli {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures of numbers, drawn by the program gnuplot.
-#ifndef HALFSPACE_CLI_GNUPLOT_HPP_
-#define HALFSPACE_CLI_GNUPLOT_HPP_
+#ifndef HALFSPACE_CLI_PLOTS_GNUPLOT_HPP_
+#define HALFSPACE_CLI_PLOTS_GNUPLOT_HPP_
 
 #include <string>
 
@@ -15,4 +15,4 @@ void run_gnuplot(const std::string& script, const std::string& picture);
 
 }  // namespace halfspace::cli
 
-#endif  // HALFSPACE_CLI_GNUPLOT_HPP_
+#endif  // HALFSPACE_CLI_PLOTS_GNUPLOT_HPP_

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/picture.hpp"
+#include "cli/plots/picture.hpp"
 
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
@@ -71,7 +71,7 @@ Picture difference_picture(const Picture& a, const Picture& b, int gain) {
 
 void write_picture(const std::string& path, const Picture& picture) {
   const std::filesystem::path target(path);
-  vectors::StagedFolder staged(target.parent_path().string());
+  model::StagedFolder staged(target.parent_path().string());
   const std::string part = staged.path(target.filename().string());
   const auto out = OIIO::ImageOutput::create(part);
   if (!out) throw ref::Error(fmt::format("{}: there is no picture format of that ending: use .png", path));

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures of a frame, through OpenImageIO.
-#ifndef HALFSPACE_CLI_PICTURE_HPP_
-#define HALFSPACE_CLI_PICTURE_HPP_
+#ifndef HALFSPACE_CLI_PLOTS_PICTURE_HPP_
+#define HALFSPACE_CLI_PLOTS_PICTURE_HPP_
 
 #include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "ref/raster.hpp"
+#include "ref/raster/raster.hpp"
 
 namespace halfspace::cli {
 
@@ -31,4 +31,4 @@ void write_picture(const std::string& path, const Picture& picture);
 
 }  // namespace halfspace::cli
 
-#endif  // HALFSPACE_CLI_PICTURE_HPP_
+#endif  // HALFSPACE_CLI_PLOTS_PICTURE_HPP_

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/video.hpp"
+#include "cli/plots/video.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "cli/shell.hpp"
+#include "cli/common/shell.hpp"
 #include "ref/error.hpp"
 #include "vectors/staging.hpp"
 
@@ -60,7 +60,7 @@ bool ffmpeg_is_installed() { return is_installed("ffmpeg"); }
 
 FrameWriter::FrameWriter(std::string path, int width, int height, int frames_a_second) : path_(std::move(path)) {
   const fs::path target(path_);
-  staged_ = std::make_unique<vectors::StagedFolder>(target.parent_path().string());
+  staged_ = std::make_unique<model::StagedFolder>(target.parent_path().string());
   if (numbered(path_)) return;
   const std::string ending = target.extension().string();
   if (ending != ".mp4" && ending != ".mkv" && ending != ".webm" && ending != ".gif") {
@@ -99,7 +99,7 @@ void FrameWriter::finish() {
 std::vector<Picture> interpolated_by_ffmpeg(const std::vector<Picture>& keys, int factor) {
   need_ffmpeg("minterpolate");
   const int width = keys.at(0).width, height = keys[0].height, rate = 6;
-  vectors::StagedFolder folder((fs::temp_directory_path() / "halfspace").string());  // never committed
+  model::StagedFolder folder((fs::temp_directory_path() / "halfspace").string());  // never committed
   const std::string out = folder.path("between.rgb");
   FILE* const pipe = open_pipe(raw_input(width, height, rate) +
                                fmt::format(" -vf minterpolate=fps={}:mi_mode=mci:mc_mode=aobmc:me_mode=bidir:vsbmc=1:scd=none"

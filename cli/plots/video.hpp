@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sequences of pictures: numbered files, or a film through the program ffmpeg.
-#ifndef HALFSPACE_CLI_VIDEO_HPP_
-#define HALFSPACE_CLI_VIDEO_HPP_
+#ifndef HALFSPACE_CLI_PLOTS_VIDEO_HPP_
+#define HALFSPACE_CLI_PLOTS_VIDEO_HPP_
 
 #include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "cli/picture.hpp"
+#include "cli/plots/picture.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 class StagedFolder;
 }
 
@@ -30,7 +30,7 @@ class FrameWriter {
 
  private:
   std::string path_;
-  std::unique_ptr<vectors::StagedFolder> staged_;
+  std::unique_ptr<model::StagedFolder> staged_;
   FILE* film_ = nullptr;  // ffmpeg's input
   int frames_ = 0;
 };
@@ -41,4 +41,4 @@ std::vector<Picture> interpolated_by_ffmpeg(const std::vector<Picture>& keys, in
 
 }  // namespace halfspace::cli
 
-#endif  // HALFSPACE_CLI_VIDEO_HPP_
+#endif  // HALFSPACE_CLI_PLOTS_VIDEO_HPP_

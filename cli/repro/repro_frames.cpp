@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/repro_frames.hpp"
+#include "cli/repro/repro_frames.hpp"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,9 @@
 #include <filesystem>
 #include <memory>
 
-#include "cli/numbers.hpp"
-#include "cli/sequence_quality.hpp"
-#include "cli/video.hpp"
+#include "cli/common/numbers.hpp"
+#include "cli/common/sequence_quality.hpp"
+#include "cli/plots/video.hpp"
 #include "ref/error.hpp"
 
 namespace halfspace::cli {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#ifndef HALFSPACE_CLI_REPRO_FRAMES_HPP_
-#define HALFSPACE_CLI_REPRO_FRAMES_HPP_
+#ifndef HALFSPACE_CLI_REPRO_REPRO_FRAMES_HPP_
+#define HALFSPACE_CLI_REPRO_REPRO_FRAMES_HPP_
 
 #include <CLI/CLI.hpp>
 
@@ -11,4 +11,4 @@ void add_repro_frames(CLI::App* repro);
 
 }  // namespace halfspace::cli
 
-#endif  // HALFSPACE_CLI_REPRO_FRAMES_HPP_
+#endif  // HALFSPACE_CLI_REPRO_REPRO_FRAMES_HPP_

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/repro_plots.hpp"
+#include "cli/repro/repro_plots.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <map>
 
-#include "cli/gnuplot.hpp"
+#include "cli/plots/gnuplot.hpp"
 
 namespace halfspace::cli {
 namespace {

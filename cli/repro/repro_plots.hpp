@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The bars of the papers' figures, from the numbers of `halfspace repro`.
-#ifndef HALFSPACE_CLI_REPRO_PLOTS_HPP_
-#define HALFSPACE_CLI_REPRO_PLOTS_HPP_
+#ifndef HALFSPACE_CLI_REPRO_REPRO_PLOTS_HPP_
+#define HALFSPACE_CLI_REPRO_REPRO_PLOTS_HPP_
 
 #include <string>
 #include <vector>
@@ -16,4 +16,4 @@ std::vector<std::string> plot_lighting_cost(const Json& numbers, const std::stri
 
 }  // namespace halfspace::cli
 
-#endif  // HALFSPACE_CLI_REPRO_PLOTS_HPP_
+#endif  // HALFSPACE_CLI_REPRO_REPRO_PLOTS_HPP_

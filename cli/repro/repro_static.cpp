@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/repro_static.hpp"
+#include "cli/repro/repro_static.hpp"
 
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -8,34 +8,34 @@
 #include <memory>
 
 #include "cli/commands.hpp"
-#include "cli/gnuplot.hpp"
-#include "cli/numbers.hpp"
-#include "cli/picture.hpp"
-#include "cli/progress.hpp"
-#include "vectors/static_experiment.hpp"
+#include "cli/plots/gnuplot.hpp"
+#include "cli/common/numbers.hpp"
+#include "cli/plots/picture.hpp"
+#include "cli/common/progress.hpp"
+#include "study/papers/static_experiment.hpp"
 
 namespace halfspace::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using vectors::MethodFrames;
-using vectors::Spread;
+using model::MethodFrames;
+using model::Spread;
 
 struct Options {
-  vectors::StaticExperimentOptions experiment;
+  model::StaticExperimentOptions experiment;
   std::string out, json;
 };
 
 struct MethodName {
   const char *key, *text, *colour;
 };
-constexpr MethodName kMethods[vectors::kStaticMethods] = {{"all", "everything drawn", "#c0392b"},
+constexpr MethodName kMethods[model::kStaticMethods] = {{"all", "everything drawn", "#c0392b"},
                                                           {"no_query", "S-buffer, no query", "#e9a13b"},
                                                           {"query", "S-buffer, query", "#4d6a8a"},
                                                           {"query_many", "S-buffers, query", "#2a9d5c"}};
 
 std::string method_text(std::size_t m, int buffers) {
-  return m + 1 == vectors::kStaticMethods ? fmt::format("{} {}", buffers, kMethods[m].text) : kMethods[m].text;
+  return m + 1 == model::kStaticMethods ? fmt::format("{} {}", buffers, kMethods[m].text) : kMethods[m].text;
 }
 
 Json to_json(const Spread& s) {
@@ -54,7 +54,7 @@ double largest_memory_mb() {
   return double(use.ru_maxrss) / 1024;
 }
 
-Json all_json(const Options& o, const vectors::StaticExperiment& e) {
+Json all_json(const Options& o, const model::StaticExperiment& e) {
   const auto& x = o.experiment;
   Json json = {{"paper", "static objects buffer"},
                {"seed", x.crowd.seed},
@@ -72,15 +72,15 @@ Json all_json(const Options& o, const vectors::StaticExperiment& e) {
                {"first_frame_seconds", e.first_seconds[1]},
                {"memory_mb", largest_memory_mb()},
                {"steps", Json::array()}};
-  for (const vectors::StaticStep& step : e.steps) {
+  for (const model::StaticStep& step : e.steps) {
     Json row = {{"moving", step.moving}};
-    for (std::size_t m = 0; m < vectors::kStaticMethods; ++m) row[kMethods[m].key] = to_json(step.methods[m]);
+    for (std::size_t m = 0; m < model::kStaticMethods; ++m) row[kMethods[m].key] = to_json(step.methods[m]);
     json["steps"].push_back(std::move(row));
   }
   return json;
 }
 
-void print(const Options& o, const vectors::StaticExperiment& e) {
+void print(const Options& o, const model::StaticExperiment& e) {
   const auto& x = o.experiment;
   fmt::print(
       "{} objects, {} triangles, {} of them handed over in the first frame, which takes {:.1f} s; {}x{} in {}, {} "
@@ -92,8 +92,8 @@ void print(const Options& o, const vectors::StaticExperiment& e) {
       x.crowd.objects, e.triangles, e.handed, e.first_seconds[1], x.width, x.height, x.config, x.lanes, x.crowd.seed,
       x.frames, x.full_frames, "moving", "method", "objects", "+-", "most", "starts", "updates", "Mtriangles",
       "Mcycles", "+-", "ms", "+-");
-  for (const vectors::StaticStep& step : e.steps) {
-    for (std::size_t m = 0; m < vectors::kStaticMethods; ++m) {
+  for (const model::StaticStep& step : e.steps) {
+    for (std::size_t m = 0; m < model::kStaticMethods; ++m) {
       const MethodFrames& f = step.methods[m];
       if (f.drawn.count() == 0) continue;
       fmt::print("{:>6} {:<20} {:>9.1f} {:>9.1f} {:>8.0f} {:>8} {:>8} {:>10.3f} {:>9.2f} {:>9.2f} {:>10.1f} {:>9.1f}\n",
@@ -114,7 +114,7 @@ std::string plot(const Json& json, const std::string& folder) {
       "set grid lt 1 lw 0.5 lc rgb '#cccccc'\nset key left top\nset xlabel 'objects that move'\n"
       "set xrange [0:{}]\nset yrange [0:*]\n",
       gnuplot_quoted(picture), json["steps"].back()["moving"].get<int>() * 1.05 + 1);
-  for (std::size_t m = 1; m < vectors::kStaticMethods; ++m) {
+  for (std::size_t m = 1; m < model::kStaticMethods; ++m) {
     script += fmt::format("$m{} << EOD\n", m);
     for (const Json& row : json["steps"]) {
       const Json& of = row[kMethods[m].key];
@@ -127,7 +127,7 @@ std::string plot(const Json& json, const std::string& folder) {
   for (int column : {2, 3}) {
     script += column == 2 ? "set title 'objects drawn a frame'\nplot"
                           : "set title 'cycles of a frame: standard deviation, millions'\nplot";
-    for (std::size_t m = 1; m < vectors::kStaticMethods; ++m) {
+    for (std::size_t m = 1; m < model::kStaticMethods; ++m) {
       script += fmt::format("{} $m{} using 1:{} with linespoints lw 2 pt 7 lc rgb '{}' title {}", m == 1 ? "" : ",", m,
                             column, kMethods[m].colour, gnuplot_quoted(method_text(m, json["buffers"].get<int>())));
     }
@@ -157,7 +157,7 @@ void run(const Options& options) {
     if (phase != now) progress = std::make_unique<Progress>("repro E: " + (phase = now));
     progress->tell(done, total);
   };
-  const vectors::StaticExperiment result = vectors::run_static_experiment(options.experiment, tell);
+  const model::StaticExperiment result = model::run_static_experiment(options.experiment, tell);
   progress.reset();
   print(options, result);
   const Json json = all_json(options, result);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // halfspace repro E
-#ifndef HALFSPACE_CLI_REPRO_STATIC_HPP_
-#define HALFSPACE_CLI_REPRO_STATIC_HPP_
+#ifndef HALFSPACE_CLI_REPRO_REPRO_STATIC_HPP_
+#define HALFSPACE_CLI_REPRO_REPRO_STATIC_HPP_
 
 #include <CLI/CLI.hpp>
 
@@ -11,4 +11,4 @@ void add_repro_static(CLI::App& repro);
 
 }  // namespace halfspace::cli
 
-#endif  // HALFSPACE_CLI_REPRO_STATIC_HPP_
+#endif  // HALFSPACE_CLI_REPRO_REPRO_STATIC_HPP_

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/sweep_configs.hpp"
+#include "cli/sweep/sweep_configs.hpp"
 
 #include <fmt/format.h>
 
@@ -26,9 +26,9 @@ int whole_number(const std::string& text, const std::string& option) {
 }
 
 // The numbers that can be varied: those that every configuration has, and the bits of objects.
-std::vector<vectors::ConfigField> varied_fields() {
-  std::vector<vectors::ConfigField> fields = vectors::config_fields();
-  for (const auto& field : vectors::object_fields()) fields.push_back(field);
+std::vector<model::ConfigField> varied_fields() {
+  std::vector<model::ConfigField> fields = model::config_fields();
+  for (const auto& field : model::object_fields()) fields.push_back(field);
   return fields;
 }
 
@@ -50,7 +50,7 @@ void drop_idle(Config& config) {
 void add_config(std::vector<SweepConfig>& configs, SweepConfig config) {
   drop_idle(config.numbers);
   for (SweepConfig& other : configs) {
-    if (!vectors::same_numbers(other.numbers, config.numbers)) continue;
+    if (!model::same_numbers(other.numbers, config.numbers)) continue;
     if (other.named.empty()) other.named = config.named;
     return;
   }
@@ -90,7 +90,7 @@ void add_star(std::vector<SweepConfig>& configs, const SweepConfig& base, const 
 }
 
 void add_named(std::vector<SweepConfig>& configs, const SweepConfig& base, const FrameSize& frame) {
-  for (const vectors::Configuration& named : vectors::named_configurations()) {
+  for (const model::Configuration& named : model::named_configurations()) {
     SweepConfig config{named.name(), named.config(), "", named.name()};
     config.numbers.lanes = base.numbers.lanes;
     if (frame.width > config.numbers.width || frame.height > config.numbers.height) {
@@ -146,18 +146,18 @@ Variation parse_variation(const std::string& option) {
 }
 
 Config base_numbers(const ConfigChoice& choice) {
-  Config numbers = vectors::find_configuration(choice.config).config();
+  Config numbers = model::find_configuration(choice.config).config();
   if (choice.lanes) numbers.lanes = choice.lanes;
   return numbers;
 }
 
 std::vector<SweepConfig> sweep_configs(const ConfigChoice& choice, const std::vector<Variation>& variations) {
-  const SweepConfig base{vectors::find_configuration(choice.config).name(), base_numbers(choice), "", ""};
+  const SweepConfig base{model::find_configuration(choice.config).name(), base_numbers(choice), "", ""};
   std::vector<SweepConfig> configs;
   if (choice.star) add_star(configs, base, variations);
   else add_grid(configs, base, variations, 0);
   if (choice.named) add_named(configs, base, choice.frame);
-  for (SweepConfig& config : configs) config.base = vectors::same_numbers(config.numbers, base.numbers);
+  for (SweepConfig& config : configs) config.base = model::same_numbers(config.numbers, base.numbers);
   return configs;
 }
 

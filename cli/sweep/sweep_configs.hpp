@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "cli/commands.hpp"
-#include "cli/scene_input.hpp"
-#include "vectors/configuration.hpp"
+#include "cli/common/scene_input.hpp"
+#include "model/formats/configuration.hpp"
 
 namespace halfspace::cli {
 
@@ -25,7 +25,7 @@ struct SweepConfig {
   bool base = false;
 
   // Of an accepted one.
-  vectors::Configuration configuration() const { return {name, numbers}; }
+  model::Configuration configuration() const { return {name, numbers}; }
 };
 
 struct ConfigChoice {

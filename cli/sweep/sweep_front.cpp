@@ -6,9 +6,9 @@
 #include <limits>
 #include <map>
 
-#include "cli/gnuplot.hpp"
-#include "cli/sweep_plots.hpp"
-#include "cli/sweep_table.hpp"
+#include "cli/plots/gnuplot.hpp"
+#include "cli/sweep/sweep_plots.hpp"
+#include "cli/sweep/sweep_table.hpp"
 
 namespace halfspace::cli {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "cli/gnuplot.hpp"
-#include "cli/sweep_plots.hpp"
+#include "cli/plots/gnuplot.hpp"
+#include "cli/sweep/sweep_plots.hpp"
 
 namespace halfspace::cli {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/sweep_measure.hpp"
+#include "cli/sweep/sweep_measure.hpp"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,8 @@
 #include <mutex>
 #include <thread>
 
-#include "cli/progress.hpp"
-#include "cli/area.hpp"
+#include "cli/common/progress.hpp"
+#include "cli/common/area.hpp"
 #include "ref/error.hpp"
 #include "vectors/staging.hpp"
 
@@ -21,10 +21,10 @@ namespace fs = std::filesystem;
 
 double share(std::uint64_t part, std::uint64_t whole) { return whole ? double(part) / double(whole) : 0; }
 
-Json picture_result(const vectors::Trade& t, const Config& config) {
-  using vectors::bytes_of;
+Json picture_result(const model::Trade& t, const Config& config) {
+  using model::bytes_of;
   const ref::BufferUses& moved = t.accesses.words;
-  const vectors::BufferBits bits = vectors::entry_bits(config);
+  const model::BufferBits bits = model::entry_bits(config);
   const double full = has_depth(config) ? std::ldexp(1, config.depth_bits) - 1 : 1;
   const auto finite = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
   return {{"triangles_drawn", t.triangles},
@@ -57,16 +57,16 @@ Json picture_result(const vectors::Trade& t, const Config& config) {
           {"bytes_planes_written", bytes_of(moved.shading.written, bits.shading)},
           {"bytes_objects_read", bytes_of(moved.object.read, bits.object)},
           {"bytes_objects_written", bytes_of(moved.object.written, bits.object)},
-          {"bytes", vectors::total_bytes(moved, bits)},
+          {"bytes", model::total_bytes(moved, bits)},
           {"kernels_compiled", t.compiled},
           {"native_ms", t.native_ms}};
 }
 
 Json compute_picture(const SweepScene& scene, const SweepConfig& config) {
-  const vectors::Configuration configuration = config.configuration();
+  const model::Configuration configuration = config.configuration();
   try {
     return picture_result(
-        vectors::measure_trade(scene.project, scene.width, scene.height, configuration, config.numbers.lanes),
+        model::measure_trade(scene.project, scene.width, scene.height, configuration, config.numbers.lanes),
         config.numbers);
   } catch (const ref::Error& error) {
     return {{"refused", fmt::format("{} with {}: {}", scene.name, config.name, error.what())}};
@@ -83,7 +83,7 @@ void compute_point(const Sweep& sweep, const SweepPoint& point) {
                           ? measure_area(config.configuration(), sweep.targets, (out / "area" / fs::path(point.file).stem()).string())
                           : compute_picture(sweep.scenes[point.scene], config);
   const Json json = {{"format", "halfspace-point 1"}, {"point", point.what}, {"result", result}};
-  vectors::write_file((out / point.file).string(), json.dump(1) + "\n");
+  model::write_file((out / point.file).string(), json.dump(1) + "\n");
 }
 
 std::vector<std::string> compute_points(const Sweep& sweep, int jobs) {

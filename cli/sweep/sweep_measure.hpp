@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The points of a sweep, computed.
-#ifndef HALFSPACE_CLI_SWEEP_MEASURE_HPP_
-#define HALFSPACE_CLI_SWEEP_MEASURE_HPP_
+#ifndef HALFSPACE_CLI_SWEEP_SWEEP_MEASURE_HPP_
+#define HALFSPACE_CLI_SWEEP_SWEEP_MEASURE_HPP_
 
-#include "cli/sweep_points.hpp"
+#include "cli/sweep/sweep_points.hpp"
 
 namespace halfspace::cli {
 
@@ -17,4 +17,4 @@ std::vector<std::string> compute_points(const Sweep& sweep, int jobs);
 
 }  // namespace halfspace::cli
 
-#endif  // HALFSPACE_CLI_SWEEP_MEASURE_HPP_
+#endif  // HALFSPACE_CLI_SWEEP_SWEEP_MEASURE_HPP_

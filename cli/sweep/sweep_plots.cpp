@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/sweep_plots.hpp"
+#include "cli/sweep/sweep_plots.hpp"
 
 #include <fmt/format.h>
 
 #include <filesystem>
 
-#include "cli/gnuplot.hpp"
+#include "cli/plots/gnuplot.hpp"
 #include "ref/error.hpp"
 #include "vectors/staging.hpp"
 
@@ -24,7 +24,7 @@ std::vector<std::string> draw_plots(const Sweep& sweep, const std::vector<Json>&
   scripts.push_back(front_plot(sweep, rows));
   scripts.push_back(map_plot(sweep, rows));
   std::vector<std::string> written;
-  vectors::StagedFolder staged(out);
+  model::StagedFolder staged(out);
   for (const auto& script : scripts) {
     if (!script) continue;
     const std::string picture = staged.path(script->name());

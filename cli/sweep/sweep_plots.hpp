@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The plots of a sweep, by gnuplot.
-#ifndef HALFSPACE_CLI_SWEEP_PLOTS_HPP_
-#define HALFSPACE_CLI_SWEEP_PLOTS_HPP_
+#ifndef HALFSPACE_CLI_SWEEP_SWEEP_PLOTS_HPP_
+#define HALFSPACE_CLI_SWEEP_SWEEP_PLOTS_HPP_
 
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "cli/sweep_script.hpp"
+#include "cli/sweep/sweep_script.hpp"
 
 namespace halfspace::cli {
 
@@ -26,4 +26,4 @@ std::vector<std::string> draw_plots(const Sweep& sweep, const std::vector<Json>&
 
 }  // namespace halfspace::cli
 
-#endif  // HALFSPACE_CLI_SWEEP_PLOTS_HPP_
+#endif  // HALFSPACE_CLI_SWEEP_SWEEP_PLOTS_HPP_

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/sweep_points.hpp"
+#include "cli/sweep/sweep_points.hpp"
 
 #include <fmt/format.h>
 
@@ -10,11 +10,11 @@
 #include <set>
 #include <sstream>
 
-#include "cli/area.hpp"
+#include "cli/common/area.hpp"
 #include "ref/error.hpp"
-#include "ref/geometry.hpp"
-#include "ref/scene.hpp"
-#include "ref/triangle_list.hpp"
+#include "ref/geometry/geometry.hpp"
+#include "ref/scene/scene.hpp"
+#include "ref/geometry/triangle_list.hpp"
 
 namespace halfspace::cli {
 namespace {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The points of a sweep: every configuration on every scene, and the area of every configuration. Each is computed
 // without the others and kept in a file of its own.
-#ifndef HALFSPACE_CLI_SWEEP_POINTS_HPP_
-#define HALFSPACE_CLI_SWEEP_POINTS_HPP_
+#ifndef HALFSPACE_CLI_SWEEP_SWEEP_POINTS_HPP_
+#define HALFSPACE_CLI_SWEEP_SWEEP_POINTS_HPP_
 
 #include <string>
 #include <vector>
 
-#include "cli/sweep_configs.hpp"
-#include "vectors/trade.hpp"
+#include "cli/sweep/sweep_configs.hpp"
+#include "study/trade/trade.hpp"
 
 namespace halfspace::cli {
 
@@ -26,7 +26,7 @@ struct SweepScene {
   std::string name;
   int width, height;
   std::string digest;  // of the file; empty if built in
-  vectors::Projection project;
+  model::Projection project;
 };
 
 struct SweepPoint {
@@ -53,4 +53,4 @@ Json stored_result(const Sweep& sweep, const SweepPoint& point);
 
 }  // namespace halfspace::cli
 
-#endif  // HALFSPACE_CLI_SWEEP_POINTS_HPP_
+#endif  // HALFSPACE_CLI_SWEEP_SWEEP_POINTS_HPP_

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/sweep_script.hpp"
+#include "cli/sweep/sweep_script.hpp"
 
 #include <fmt/format.h>
 
 #include <filesystem>
 
-#include "cli/gnuplot.hpp"
+#include "cli/plots/gnuplot.hpp"
 
 namespace halfspace::cli {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the plots of a sweep have in common: several of them as panels of one picture.
-#ifndef HALFSPACE_CLI_SWEEP_SCRIPT_HPP_
-#define HALFSPACE_CLI_SWEEP_SCRIPT_HPP_
+#ifndef HALFSPACE_CLI_SWEEP_SWEEP_SCRIPT_HPP_
+#define HALFSPACE_CLI_SWEEP_SWEEP_SCRIPT_HPP_
 
 #include <optional>
 #include <string>
 
-#include "cli/sweep_points.hpp"
+#include "cli/sweep/sweep_points.hpp"
 
 namespace halfspace::cli {
 
@@ -39,4 +39,4 @@ const char* curve_colour(std::size_t n);
 
 }  // namespace halfspace::cli
 
-#endif  // HALFSPACE_CLI_SWEEP_SCRIPT_HPP_
+#endif  // HALFSPACE_CLI_SWEEP_SWEEP_SCRIPT_HPP_

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/sweep_table.hpp"
+#include "cli/sweep/sweep_table.hpp"
 
 #include <fmt/format.h>
 
@@ -140,8 +140,8 @@ void write_table(const Sweep& sweep, const std::vector<Json>& rows) {
                      {"star", sweep.input.choice.star}, {"vary", vary},
                      {"area", sweep.targets},           {"rows", rows}};
   const fs::path out(sweep.input.out);
-  vectors::write_file((out / "sweep.csv").string(), csv);
-  vectors::write_file((out / "sweep.json").string(), json.dump(1) + "\n");
+  model::write_file((out / "sweep.csv").string(), csv);
+  model::write_file((out / "sweep.json").string(), json.dump(1) + "\n");
 }
 
 }  // namespace halfspace::cli

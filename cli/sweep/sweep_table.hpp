@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The results of a sweep side by side.
-#ifndef HALFSPACE_CLI_SWEEP_TABLE_HPP_
-#define HALFSPACE_CLI_SWEEP_TABLE_HPP_
+#ifndef HALFSPACE_CLI_SWEEP_SWEEP_TABLE_HPP_
+#define HALFSPACE_CLI_SWEEP_SWEEP_TABLE_HPP_
 
-#include "cli/sweep_points.hpp"
+#include "cli/sweep/sweep_points.hpp"
 
 namespace halfspace::cli {
 
@@ -21,4 +21,4 @@ std::string lut_column(const Sweep& sweep);
 
 }  // namespace halfspace::cli
 
-#endif  // HALFSPACE_CLI_SWEEP_TABLE_HPP_
+#endif  // HALFSPACE_CLI_SWEEP_SWEEP_TABLE_HPP_

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The memories of the pipeline: a word a stamp, the lanes side by side. In hardware, 1R1W RAMs.
-#ifndef HALFSPACE_HLS_BUFFERS_HPP_
-#define HALFSPACE_HLS_BUFFERS_HPP_
+#ifndef HALFSPACE_HLS_FORMATS_BUFFERS_HPP_
+#define HALFSPACE_HLS_FORMATS_BUFFERS_HPP_
 
-#include "records.hpp"
+#include "hls/formats/records.hpp"
 
 namespace halfspace {
 
@@ -110,4 +110,4 @@ struct Buffers {
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_BUFFERS_HPP_
+#endif  // HALFSPACE_HLS_FORMATS_BUFFERS_HPP_

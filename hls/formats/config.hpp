@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a configuration chooses, and why one is refused. hls/configs/ holds the named ones.
-#ifndef HALFSPACE_HLS_CONFIG_HPP_
-#define HALFSPACE_HLS_CONFIG_HPP_
+// What a configuration chooses, and why one is refused. hls/formats/configs/ holds the named ones.
+#ifndef HALFSPACE_HLS_FORMATS_CONFIG_HPP_
+#define HALFSPACE_HLS_FORMATS_CONFIG_HPP_
 
 #include <cstdint>
 
@@ -287,4 +287,4 @@ struct AcceptedConfig {
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_CONFIG_HPP_
+#endif  // HALFSPACE_HLS_FORMATS_CONFIG_HPP_

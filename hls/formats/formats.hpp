@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The format table: every width of every number is derived here, once, from the few numbers of a Config.
 // The kernels, the SystemVerilog package, the manifests of the vectors and the documentation take it from here.
-#ifndef HALFSPACE_HLS_FORMATS_HPP_
-#define HALFSPACE_HLS_FORMATS_HPP_
+#ifndef HALFSPACE_HLS_FORMATS_FORMATS_HPP_
+#define HALFSPACE_HLS_FORMATS_FORMATS_HPP_
 
 #include <type_traits>
 
-#include "config.hpp"
-#include "fixed.hpp"
+#include "hls/formats/config.hpp"
+#include "hls/numbers/fixed.hpp"
 
 namespace halfspace {
 
@@ -395,4 +395,4 @@ struct Formats {
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_FORMATS_HPP_
+#endif  // HALFSPACE_HLS_FORMATS_FORMATS_HPP_

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The records of motion_compensate. Pixels of key frames come in blocks of N × N, N = key_side(F::kFilter): one for
 // each bank of a cache.
-#ifndef HALFSPACE_HLS_KEY_RECORDS_HPP_
-#define HALFSPACE_HLS_KEY_RECORDS_HPP_
+#ifndef HALFSPACE_HLS_FORMATS_KEY_RECORDS_HPP_
+#define HALFSPACE_HLS_FORMATS_KEY_RECORDS_HPP_
 
-#include "records.hpp"
+#include "hls/formats/records.hpp"
 
 namespace halfspace {
 
@@ -75,4 +75,4 @@ struct Compensated {
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_KEY_RECORDS_HPP_
+#endif  // HALFSPACE_HLS_FORMATS_KEY_RECORDS_HPP_

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // What units do that take the triangles of a stamp one after the other: the lanes of the next triangle, and its plane in
 // these lanes.
-#ifndef HALFSPACE_HLS_LANES_HPP_
-#define HALFSPACE_HLS_LANES_HPP_
+#ifndef HALFSPACE_HLS_FORMATS_LANES_HPP_
+#define HALFSPACE_HLS_FORMATS_LANES_HPP_
 
-#include "records.hpp"
-#include "stream.hpp"
+#include "hls/formats/records.hpp"
+#include "hls/numbers/stream.hpp"
 
 namespace halfspace {
 
@@ -58,4 +58,4 @@ Lanes:
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_LANES_HPP_
+#endif  // HALFSPACE_HLS_FORMATS_LANES_HPP_

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The records of static objects buffers, with F::kHasObjects: pixels that know their object, and what ztest_merge is told and tells.
 // The background is {depth 2^b − 1, object 0}. All places are in stamps.
-#ifndef HALFSPACE_HLS_OBJECT_RECORDS_HPP_
-#define HALFSPACE_HLS_OBJECT_RECORDS_HPP_
+#ifndef HALFSPACE_HLS_FORMATS_OBJECT_RECORDS_HPP_
+#define HALFSPACE_HLS_FORMATS_OBJECT_RECORDS_HPP_
 
-#include "records.hpp"
+#include "hls/formats/records.hpp"
 
 namespace halfspace {
 
@@ -80,4 +80,4 @@ struct Found {
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_OBJECT_RECORDS_HPP_
+#endif  // HALFSPACE_HLS_FORMATS_OBJECT_RECORDS_HPP_

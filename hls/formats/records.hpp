@@ -8,10 +8,10 @@
 // F::kHasDepth, depths of the Z-buffer without F::kStoresDepth, colours of the other vertices and colour planes without
 // F::kGouraud. With F::kHasLighting a triangle comes without colours, and its normals once it is visible; with F::kPhong its planes
 // are of normals. With F::kHasTexture it has planes of texture coordinates besides. With F::kHasObjects it knows its object.
-#ifndef HALFSPACE_HLS_RECORDS_HPP_
-#define HALFSPACE_HLS_RECORDS_HPP_
+#ifndef HALFSPACE_HLS_FORMATS_RECORDS_HPP_
+#define HALFSPACE_HLS_FORMATS_RECORDS_HPP_
 
-#include "formats.hpp"
+#include "hls/formats/formats.hpp"
 
 namespace halfspace {
 
@@ -565,4 +565,4 @@ struct Colours {
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_RECORDS_HPP_
+#endif  // HALFSPACE_HLS_FORMATS_RECORDS_HPP_

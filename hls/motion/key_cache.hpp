@@ -3,11 +3,11 @@
 // pixels of one filter lie in at most two columns and two rows of tiles next to each other, so that none of them drives
 // out another. N × N banks, by column and row modulo N: the pixels of a filter are each in a bank of its own, and a
 // block of a tile fills all banks at one address.
-#ifndef HALFSPACE_HLS_KEY_CACHE_HPP_
-#define HALFSPACE_HLS_KEY_CACHE_HPP_
+#ifndef HALFSPACE_HLS_MOTION_KEY_CACHE_HPP_
+#define HALFSPACE_HLS_MOTION_KEY_CACHE_HPP_
 
-#include "key_records.hpp"
-#include "stream.hpp"
+#include "hls/formats/key_records.hpp"
+#include "hls/numbers/stream.hpp"
 
 namespace halfspace {
 
@@ -94,4 +94,4 @@ const KeyPixel<F>& cached_pixel(const KeyCache<F, N>& cache, int x, int y) {
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_KEY_CACHE_HPP_
+#endif  // HALFSPACE_HLS_MOTION_KEY_CACHE_HPP_

@@ -9,11 +9,11 @@
 //
 // A table has them as whole numbers of 2^−w: each rounded half up, and what their sum then lacks of 1 is added to the
 // largest, so that a picture of one colour keeps it. Sums of products are exact.
-#ifndef HALFSPACE_HLS_KEY_FILTER_HPP_
-#define HALFSPACE_HLS_KEY_FILTER_HPP_
+#ifndef HALFSPACE_HLS_MOTION_KEY_FILTER_HPP_
+#define HALFSPACE_HLS_MOTION_KEY_FILTER_HPP_
 
-#include "key_records.hpp"
-#include "stream.hpp"
+#include "hls/formats/key_records.hpp"
+#include "hls/numbers/stream.hpp"
 
 namespace halfspace {
 
@@ -192,4 +192,4 @@ Stand:
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_KEY_FILTER_HPP_
+#endif  // HALFSPACE_HLS_MOTION_KEY_FILTER_HPP_

@@ -15,11 +15,11 @@
 //
 // One rounding, half up, then clamped. One word a call. Cycles in the RTL: one a word, and for the tiles that the
 // caches of the two keys lack, which they fetch at the same time, 1 + (8/N)² a tile.
-#ifndef HALFSPACE_HLS_MOTION_COMPENSATE_HPP_
-#define HALFSPACE_HLS_MOTION_COMPENSATE_HPP_
+#ifndef HALFSPACE_HLS_MOTION_MOTION_COMPENSATE_HPP_
+#define HALFSPACE_HLS_MOTION_MOTION_COMPENSATE_HPP_
 
-#include "key_cache.hpp"
-#include "key_filter.hpp"
+#include "hls/motion/key_cache.hpp"
+#include "hls/motion/key_filter.hpp"
 
 namespace halfspace {
 
@@ -126,4 +126,4 @@ void motion_compensate(const CompensationFrame<F>& frame, const KeyWeights<F>& w
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_MOTION_COMPENSATE_HPP_
+#endif  // HALFSPACE_HLS_MOTION_MOTION_COMPENSATE_HPP_

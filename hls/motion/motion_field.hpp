@@ -13,12 +13,12 @@
 // One pixel after the other goes through one set of planes. Cycles of a stamp in the RTL: its covered lanes, one at
 // least. Multipliers there, for each key: two for each plane, and with perspective one in the reciprocal and two with
 // it.
-#ifndef HALFSPACE_HLS_MOTION_FIELD_HPP_
-#define HALFSPACE_HLS_MOTION_FIELD_HPP_
+#ifndef HALFSPACE_HLS_MOTION_MOTION_FIELD_HPP_
+#define HALFSPACE_HLS_MOTION_MOTION_FIELD_HPP_
 
-#include "buffers.hpp"
-#include "lanes.hpp"
-#include "reciprocal_lookup.hpp"
+#include "hls/formats/buffers.hpp"
+#include "hls/formats/lanes.hpp"
+#include "hls/texture/reciprocal_lookup.hpp"
 
 namespace halfspace {
 
@@ -123,4 +123,4 @@ Lanes:
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_MOTION_FIELD_HPP_
+#endif  // HALFSPACE_HLS_MOTION_MOTION_FIELD_HPP_

@@ -5,10 +5,10 @@
 // not for empty ones.
 // Interval of the RTL: that of two planes, with perspective or F::kRelights that of three, as the keys, and places and
 // differences, go side by side.
-#ifndef HALFSPACE_HLS_MOTION_SETUP_HPP_
-#define HALFSPACE_HLS_MOTION_SETUP_HPP_
+#ifndef HALFSPACE_HLS_MOTION_MOTION_SETUP_HPP_
+#define HALFSPACE_HLS_MOTION_MOTION_SETUP_HPP_
 
-#include "plane.hpp"
+#include "hls/setup/plane.hpp"
 
 namespace halfspace {
 
@@ -63,4 +63,4 @@ void motion_setup(Stream<Attributes<F>>& attributes, Stream<MotionVectors<F>>& v
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_MOTION_SETUP_HPP_
+#endif  // HALFSPACE_HLS_MOTION_MOTION_SETUP_HPP_

@@ -16,26 +16,26 @@
 //   HALFSPACE_TYPES_SYSTEMC sc_fixed, sc_ufixed of SystemC
 //   HALFSPACE_TYPES_AP      ap_fixed, ap_ufixed of Xilinx
 //   HALFSPACE_TYPES_AC      ac_fixed of Siemens
-#ifndef HALFSPACE_HLS_FIXED_HPP_
-#define HALFSPACE_HLS_FIXED_HPP_
+#ifndef HALFSPACE_HLS_NUMBERS_FIXED_HPP_
+#define HALFSPACE_HLS_NUMBERS_FIXED_HPP_
 
 #if defined(HALFSPACE_TYPES_SYSTEMC)
-#include "fixed_systemc.hpp"
+#include "hls/numbers/fixed_systemc.hpp"
 namespace halfspace {
 using systemc::Fixed;
 }
 #elif defined(HALFSPACE_TYPES_AP)
-#include "fixed_ap.hpp"
+#include "hls/numbers/fixed_ap.hpp"
 namespace halfspace {
 using ap::Fixed;
 }
 #elif defined(HALFSPACE_TYPES_AC)
-#include "fixed_ac.hpp"
+#include "hls/numbers/fixed_ac.hpp"
 namespace halfspace {
 using ac::Fixed;
 }
 #else
-#include "fixed_native.hpp"
+#include "hls/numbers/fixed_native.hpp"
 namespace halfspace {
 using native::Fixed;
 }
@@ -55,4 +55,4 @@ constexpr T from_raw(Int bits) {
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_FIXED_HPP_
+#endif  // HALFSPACE_HLS_NUMBERS_FIXED_HPP_

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // fixed.hpp on Siemens' ac_fixed.
-#ifndef HALFSPACE_HLS_FIXED_AC_HPP_
-#define HALFSPACE_HLS_FIXED_AC_HPP_
+#ifndef HALFSPACE_HLS_NUMBERS_FIXED_AC_HPP_
+#define HALFSPACE_HLS_NUMBERS_FIXED_AC_HPP_
 
 #include <ac_fixed.h>
 
-#include "fixed_library.hpp"
+#include "hls/numbers/fixed_library.hpp"
 
 namespace halfspace {
 namespace ac {
@@ -34,4 +34,4 @@ using Fixed = LibraryFixed<Library, W, I, S>;
 }  // namespace ac
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_FIXED_AC_HPP_
+#endif  // HALFSPACE_HLS_NUMBERS_FIXED_AC_HPP_

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // fixed.hpp on Xilinx's ap_fixed and ap_ufixed.
-#ifndef HALFSPACE_HLS_FIXED_AP_HPP_
-#define HALFSPACE_HLS_FIXED_AP_HPP_
+#ifndef HALFSPACE_HLS_NUMBERS_FIXED_AP_HPP_
+#define HALFSPACE_HLS_NUMBERS_FIXED_AP_HPP_
 
 #include <ap_fixed.h>
 
-#include "fixed_library.hpp"
+#include "hls/numbers/fixed_library.hpp"
 
 namespace halfspace {
 namespace ap {
@@ -34,4 +34,4 @@ using Fixed = LibraryFixed<Library, W, I, S>;
 }  // namespace ap
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_FIXED_AP_HPP_
+#endif  // HALFSPACE_HLS_NUMBERS_FIXED_AP_HPP_

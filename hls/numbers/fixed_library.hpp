@@ -7,10 +7,10 @@
 //   set_bits<W, I, S>(x, bits)      the inverse, of an integer that was wrapped to W bits
 //   natural<W, I, S>(result)        takes what an operator gave; of a library that has types for results, only the one
 //                                   of the width that fixed.hpp promises
-#ifndef HALFSPACE_HLS_FIXED_LIBRARY_HPP_
-#define HALFSPACE_HLS_FIXED_LIBRARY_HPP_
+#ifndef HALFSPACE_HLS_NUMBERS_FIXED_LIBRARY_HPP_
+#define HALFSPACE_HLS_NUMBERS_FIXED_LIBRARY_HPP_
 
-#include "fixed_rules.hpp"
+#include "hls/numbers/fixed_rules.hpp"
 
 namespace halfspace {
 
@@ -92,4 +92,4 @@ LibraryFixed<L, W + 1, I + 1, true> operator-(const LibraryFixed<L, W, I, true>&
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_FIXED_LIBRARY_HPP_
+#endif  // HALFSPACE_HLS_NUMBERS_FIXED_LIBRARY_HPP_

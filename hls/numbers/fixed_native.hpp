@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // fixed.hpp on C++ alone: the bits in the smallest of int32_t, uint32_t, int64_t, uint64_t that holds them.
-#ifndef HALFSPACE_HLS_FIXED_NATIVE_HPP_
-#define HALFSPACE_HLS_FIXED_NATIVE_HPP_
+#ifndef HALFSPACE_HLS_NUMBERS_FIXED_NATIVE_HPP_
+#define HALFSPACE_HLS_NUMBERS_FIXED_NATIVE_HPP_
 
-#include "fixed_rules.hpp"
+#include "hls/numbers/fixed_rules.hpp"
 
 namespace halfspace {
 namespace native {
@@ -129,4 +129,4 @@ constexpr Fixed<W + 1, I + 1, true> operator-(const Fixed<W, I, true>& a) {
 }  // namespace native
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_FIXED_NATIVE_HPP_
+#endif  // HALFSPACE_HLS_NUMBERS_FIXED_NATIVE_HPP_

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the back ends of fixed.hpp have in common: the integer that carries the bits, and the widths of results.
-#ifndef HALFSPACE_HLS_FIXED_RULES_HPP_
-#define HALFSPACE_HLS_FIXED_RULES_HPP_
+#ifndef HALFSPACE_HLS_NUMBERS_FIXED_RULES_HPP_
+#define HALFSPACE_HLS_NUMBERS_FIXED_RULES_HPP_
 
 #include <cstdint>
 #include <type_traits>
@@ -38,4 +38,4 @@ struct Sum {
 }  // namespace fixed_detail
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_FIXED_RULES_HPP_
+#endif  // HALFSPACE_HLS_NUMBERS_FIXED_RULES_HPP_

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // fixed.hpp on SystemC: sc_fixed and sc_ufixed. Its operators give an sc_fxval, exact and of no fixed width.
-#ifndef HALFSPACE_HLS_FIXED_SYSTEMC_HPP_
-#define HALFSPACE_HLS_FIXED_SYSTEMC_HPP_
+#ifndef HALFSPACE_HLS_NUMBERS_FIXED_SYSTEMC_HPP_
+#define HALFSPACE_HLS_NUMBERS_FIXED_SYSTEMC_HPP_
 
 #ifndef SC_INCLUDE_FX
 #define SC_INCLUDE_FX  // or <systemc> leaves these types out
 #endif
 #include <systemc>
 
-#include "fixed_library.hpp"
+#include "hls/numbers/fixed_library.hpp"
 
 namespace halfspace {
 namespace systemc {
@@ -39,4 +39,4 @@ using Fixed = LibraryFixed<Library, W, I, S>;
 }  // namespace systemc
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_FIXED_SYSTEMC_HPP_
+#endif  // HALFSPACE_HLS_NUMBERS_FIXED_SYSTEMC_HPP_

@@ -3,8 +3,8 @@
 //
 //   HALFSPACE_STREAM_HLS   hls::stream and the pragmas of Vitis HLS, which chooses this by itself
 //   HALFSPACE_STREAM_AC    ac_channel; the pragmas are left to Catapult's directives, which name a loop by its label
-#ifndef HALFSPACE_HLS_STREAM_HPP_
-#define HALFSPACE_HLS_STREAM_HPP_
+#ifndef HALFSPACE_HLS_NUMBERS_STREAM_HPP_
+#define HALFSPACE_HLS_NUMBERS_STREAM_HPP_
 
 #if defined(HALFSPACE_STREAM_AC)
 #include <ac_channel.h>
@@ -96,4 +96,4 @@ void fork(Stream<T>& in, Stream<T>& first, Stream<T>& second) {
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_STREAM_HPP_
+#endif  // HALFSPACE_HLS_NUMBERS_STREAM_HPP_

@@ -3,12 +3,12 @@
 // are many and keep their numbers; a table tells the object of an index.
 //
 // A cycle for each different triangle in a stamp, one if there is none: the shader beside it takes no fewer.
-#ifndef HALFSPACE_HLS_SCAN_OBJECT_HPP_
-#define HALFSPACE_HLS_SCAN_OBJECT_HPP_
+#ifndef HALFSPACE_HLS_OBJECTS_SCAN_OBJECT_HPP_
+#define HALFSPACE_HLS_OBJECTS_SCAN_OBJECT_HPP_
 
-#include "buffers.hpp"
-#include "lanes.hpp"
-#include "object_records.hpp"
+#include "hls/formats/buffers.hpp"
+#include "hls/formats/lanes.hpp"
+#include "hls/formats/object_records.hpp"
 
 namespace halfspace {
 
@@ -77,4 +77,4 @@ Lanes:
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_SCAN_OBJECT_HPP_
+#endif  // HALFSPACE_HLS_OBJECTS_SCAN_OBJECT_HPP_

@@ -18,11 +18,11 @@
 //   occlusion query   a range
 //
 // A stamp a cycle, and one for the word of `merge`.
-#ifndef HALFSPACE_HLS_ZTEST_MERGE_HPP_
-#define HALFSPACE_HLS_ZTEST_MERGE_HPP_
+#ifndef HALFSPACE_HLS_OBJECTS_ZTEST_MERGE_HPP_
+#define HALFSPACE_HLS_OBJECTS_ZTEST_MERGE_HPP_
 
-#include "object_records.hpp"
-#include "stream.hpp"
+#include "hls/formats/object_records.hpp"
+#include "hls/numbers/stream.hpp"
 
 namespace halfspace {
 
@@ -85,4 +85,4 @@ Stamps:
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_ZTEST_MERGE_HPP_
+#endif  // HALFSPACE_HLS_OBJECTS_ZTEST_MERGE_HPP_

@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 // The composition: which unit feeds which. Nothing else names two stages. In hardware each unit is a process that runs on
 // its streams for ever (hls/top/ has their tops); natively a call takes one triangle, or one stamp, through all of them.
-#ifndef HALFSPACE_HLS_PIPELINE_HPP_
-#define HALFSPACE_HLS_PIPELINE_HPP_
+#ifndef HALFSPACE_HLS_PIPELINE_PIPELINE_HPP_
+#define HALFSPACE_HLS_PIPELINE_PIPELINE_HPP_
 
-#include "light_vertex.hpp"
-#include "motion_field.hpp"
-#include "motion_setup.hpp"
-#include "phong_setup.hpp"
-#include "raster_pineda.hpp"
-#include "scan_index.hpp"
-#include "scan_object.hpp"
-#include "shade_gouraud.hpp"
-#include "shade_phong.hpp"
-#include "shade_setup.hpp"
-#include "shade_texture.hpp"
-#include "texture_setup.hpp"
-#include "triangle_setup.hpp"
-#include "visible_select.hpp"
-#include "ztest_index.hpp"
-#include "ztest_plane.hpp"
+#include "hls/shade/light_vertex.hpp"
+#include "hls/motion/motion_field.hpp"
+#include "hls/motion/motion_setup.hpp"
+#include "hls/shade/phong_setup.hpp"
+#include "hls/raster/raster_pineda.hpp"
+#include "hls/shade/scan_index.hpp"
+#include "hls/objects/scan_object.hpp"
+#include "hls/shade/shade_gouraud.hpp"
+#include "hls/shade/shade_phong.hpp"
+#include "hls/setup/shade_setup.hpp"
+#include "hls/texture/shade_texture.hpp"
+#include "hls/texture/texture_setup.hpp"
+#include "hls/setup/triangle_setup.hpp"
+#include "hls/ztest/visible_select.hpp"
+#include "hls/ztest/ztest_index.hpp"
+#include "hls/ztest/ztest_plane.hpp"
 
 namespace halfspace {
 
@@ -201,4 +201,4 @@ void pipeline_motion(Streams<F>& streams, Buffers<F>& buffers) {
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_PIPELINE_HPP_
+#endif  // HALFSPACE_HLS_PIPELINE_PIPELINE_HPP_

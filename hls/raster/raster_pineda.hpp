@@ -9,11 +9,11 @@
 // which the edges that fail increase; edges that disagree prove the row empty.
 // One stamp a cycle; `visits` hears how many a triangle took. An adjacent stamp is entered only when it is near, so that a cycle without a covered pixel is
 // the price of a corner that only single edges reach, or of a search.
-#ifndef HALFSPACE_HLS_RASTER_PINEDA_HPP_
-#define HALFSPACE_HLS_RASTER_PINEDA_HPP_
+#ifndef HALFSPACE_HLS_RASTER_RASTER_PINEDA_HPP_
+#define HALFSPACE_HLS_RASTER_RASTER_PINEDA_HPP_
 
-#include "records.hpp"
-#include "stream.hpp"
+#include "hls/formats/records.hpp"
+#include "hls/numbers/stream.hpp"
 
 namespace halfspace {
 
@@ -237,4 +237,4 @@ Walk:
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_RASTER_PINEDA_HPP_
+#endif  // HALFSPACE_HLS_RASTER_RASTER_PINEDA_HPP_

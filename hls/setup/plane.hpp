@@ -12,11 +12,11 @@
 //
 // Gradients are not clamped: they wrap. Steps of whole pixels need them modulo 2^b, as the plane is; the start lies a
 // multiple of 2^−f pixels from vertex 0 and needs them modulo 2^(b+f).
-#ifndef HALFSPACE_HLS_PLANE_HPP_
-#define HALFSPACE_HLS_PLANE_HPP_
+#ifndef HALFSPACE_HLS_SETUP_PLANE_HPP_
+#define HALFSPACE_HLS_SETUP_PLANE_HPP_
 
-#include "reciprocal.hpp"
-#include "records.hpp"
+#include "hls/setup/reciprocal.hpp"
+#include "hls/formats/records.hpp"
 
 namespace halfspace {
 
@@ -115,4 +115,4 @@ Plane<Channel> plane_setup(const PlaneBase<F>& base, const typename Channel::Val
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_PLANE_HPP_
+#endif  // HALFSPACE_HLS_SETUP_PLANE_HPP_

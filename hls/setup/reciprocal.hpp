@@ -4,11 +4,11 @@
 //   s = floor(log2 D),  R = floor(2^(r+s) / D + ½),  D >= 1 in units of the last place of F::Area
 //
 // Restoring division, a quotient bit an iteration: r + 2 of them, the last for the rounding.
-#ifndef HALFSPACE_HLS_RECIPROCAL_HPP_
-#define HALFSPACE_HLS_RECIPROCAL_HPP_
+#ifndef HALFSPACE_HLS_SETUP_RECIPROCAL_HPP_
+#define HALFSPACE_HLS_SETUP_RECIPROCAL_HPP_
 
-#include "records.hpp"
-#include "stream.hpp"
+#include "hls/formats/records.hpp"
+#include "hls/numbers/stream.hpp"
 
 namespace halfspace {
 
@@ -52,4 +52,4 @@ Divide:
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_RECIPROCAL_HPP_
+#endif  // HALFSPACE_HLS_SETUP_RECIPROCAL_HPP_

@@ -9,10 +9,10 @@
 //
 // and an edge includes its own points iff dy < 0, or dy = 0 and dx > 0 (top-left rule): else 1 is taken off.
 // Interval of the RTL: setup_interval() cycles; 3 for a triangle whose box holds no pixel centre, 7 if only D is 0.
-#ifndef HALFSPACE_HLS_TRIANGLE_SETUP_HPP_
-#define HALFSPACE_HLS_TRIANGLE_SETUP_HPP_
+#ifndef HALFSPACE_HLS_SETUP_TRIANGLE_SETUP_HPP_
+#define HALFSPACE_HLS_SETUP_TRIANGLE_SETUP_HPP_
 
-#include "plane.hpp"
+#include "hls/setup/plane.hpp"
 
 namespace halfspace {
 
@@ -193,4 +193,4 @@ void triangle_setup(const Frame<F>& frame, Stream<Triangle<F>>& triangle, Stream
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_TRIANGLE_SETUP_HPP_
+#endif  // HALFSPACE_HLS_SETUP_TRIANGLE_SETUP_HPP_

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lights the vertices of a triangle; of a flat one, the one normal that it has.
 // Interval of the RTL: a cycle a normal and light.
-#ifndef HALFSPACE_HLS_LIGHT_VERTEX_HPP_
-#define HALFSPACE_HLS_LIGHT_VERTEX_HPP_
+#ifndef HALFSPACE_HLS_SHADE_LIGHT_VERTEX_HPP_
+#define HALFSPACE_HLS_SHADE_LIGHT_VERTEX_HPP_
 
-#include "lighting.hpp"
+#include "hls/shade/lighting.hpp"
 
 namespace halfspace {
 
@@ -29,4 +29,4 @@ Vertices:
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_LIGHT_VERTEX_HPP_
+#endif  // HALFSPACE_HLS_SHADE_LIGHT_VERTEX_HPP_

@@ -12,11 +12,11 @@
 //
 // docs/numerics.md has the derivation. Multipliers: 9 for q, n·L, n·H, one in the root, 2 + 4 + 6 after it; without highlights
 // 6, 1, 1 and 3.
-#ifndef HALFSPACE_HLS_LIGHTING_HPP_
-#define HALFSPACE_HLS_LIGHTING_HPP_
+#ifndef HALFSPACE_HLS_SHADE_LIGHTING_HPP_
+#define HALFSPACE_HLS_SHADE_LIGHTING_HPP_
 
-#include "buffers.hpp"
-#include "reciprocal_sqrt.hpp"
+#include "hls/formats/buffers.hpp"
+#include "hls/shade/reciprocal_sqrt.hpp"
 
 namespace halfspace {
 
@@ -131,4 +131,4 @@ Round:
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_LIGHTING_HPP_
+#endif  // HALFSPACE_HLS_SHADE_LIGHTING_HPP_

@@ -5,10 +5,10 @@
 // A component goes through plane_setup with 2^p units added, so that it is unsigned as depths and colours are, and so are the
 // proofs of its widths and bounds: in bits, its top bit inverted. The shader inverts it again.
 // Interval of the RTL: that of shade_setup.
-#ifndef HALFSPACE_HLS_PHONG_SETUP_HPP_
-#define HALFSPACE_HLS_PHONG_SETUP_HPP_
+#ifndef HALFSPACE_HLS_SHADE_PHONG_SETUP_HPP_
+#define HALFSPACE_HLS_SHADE_PHONG_SETUP_HPP_
 
-#include "plane.hpp"
+#include "hls/setup/plane.hpp"
 
 namespace halfspace {
 
@@ -46,4 +46,4 @@ void phong_setup(Stream<Attributes<F>>& attributes, Stream<Normals<F>>& normals,
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_PHONG_SETUP_HPP_
+#endif  // HALFSPACE_HLS_SHADE_PHONG_SETUP_HPP_

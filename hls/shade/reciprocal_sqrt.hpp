@@ -11,11 +11,11 @@
 //   |y·√m − 1| < 2^−17      for every m (lighting_test tries all fields, at both ends of what the cut takes away).
 //
 // q = 0 gives some y and k.
-#ifndef HALFSPACE_HLS_RECIPROCAL_SQRT_HPP_
-#define HALFSPACE_HLS_RECIPROCAL_SQRT_HPP_
+#ifndef HALFSPACE_HLS_SHADE_RECIPROCAL_SQRT_HPP_
+#define HALFSPACE_HLS_SHADE_RECIPROCAL_SQRT_HPP_
 
-#include "formats.hpp"
-#include "stream.hpp"
+#include "hls/formats/formats.hpp"
+#include "hls/numbers/stream.hpp"
 
 namespace halfspace {
 
@@ -109,4 +109,4 @@ Normalize:
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_RECIPROCAL_SQRT_HPP_
+#endif  // HALFSPACE_HLS_SHADE_RECIPROCAL_SQRT_HPP_

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scan-out of the I-buffer, and its clearing for the next frame in the same pass. A stamp a cycle; a call does one row of
 // stamps.
-#ifndef HALFSPACE_HLS_SCAN_INDEX_HPP_
-#define HALFSPACE_HLS_SCAN_INDEX_HPP_
+#ifndef HALFSPACE_HLS_SHADE_SCAN_INDEX_HPP_
+#define HALFSPACE_HLS_SHADE_SCAN_INDEX_HPP_
 
-#include "buffers.hpp"
-#include "stream.hpp"
+#include "hls/formats/buffers.hpp"
+#include "hls/numbers/stream.hpp"
 
 namespace halfspace {
 
@@ -33,4 +33,4 @@ Stamps:
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_SCAN_INDEX_HPP_
+#endif  // HALFSPACE_HLS_SHADE_SCAN_INDEX_HPP_

@@ -5,11 +5,11 @@
 // of six multipliers gives the planes at the first pixel of the stamp, and an addition a lane the rest. Background lanes
 // count as a triangle of their own. Cycles of a stamp: the number of different indices in it. A flat triangle has its one
 // colour in TdbS and takes no multiplier.
-#ifndef HALFSPACE_HLS_SHADE_GOURAUD_HPP_
-#define HALFSPACE_HLS_SHADE_GOURAUD_HPP_
+#ifndef HALFSPACE_HLS_SHADE_SHADE_GOURAUD_HPP_
+#define HALFSPACE_HLS_SHADE_SHADE_GOURAUD_HPP_
 
-#include "buffers.hpp"
-#include "lanes.hpp"
+#include "hls/formats/buffers.hpp"
+#include "hls/formats/lanes.hpp"
 
 namespace halfspace {
 
@@ -72,4 +72,4 @@ Triangles:
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_SHADE_GOURAUD_HPP_
+#endif  // HALFSPACE_HLS_SHADE_SHADE_GOURAUD_HPP_

@@ -4,12 +4,12 @@
 //
 // One pixel after the other goes through one set of planes and one lighting core. Cycles of a stamp: its covered lanes times the
 // lights, and the lights for a stamp of background.
-#ifndef HALFSPACE_HLS_SHADE_PHONG_HPP_
-#define HALFSPACE_HLS_SHADE_PHONG_HPP_
+#ifndef HALFSPACE_HLS_SHADE_SHADE_PHONG_HPP_
+#define HALFSPACE_HLS_SHADE_SHADE_PHONG_HPP_
 
-#include "buffers.hpp"
-#include "lanes.hpp"
-#include "lighting.hpp"
+#include "hls/formats/buffers.hpp"
+#include "hls/formats/lanes.hpp"
+#include "hls/shade/lighting.hpp"
 
 namespace halfspace {
 
@@ -62,4 +62,4 @@ Lanes:
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_SHADE_PHONG_HPP_
+#endif  // HALFSPACE_HLS_SHADE_SHADE_PHONG_HPP_

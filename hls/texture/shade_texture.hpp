@@ -12,12 +12,12 @@
 // One pixel after the other goes through one set of planes. Cycles of a stamp in the RTL: its covered lanes, one at
 // least. Multipliers there: two for each plane of s, t, q, one in the reciprocal, two with it; a channel three for a
 // bilinear filter, which steps from the even column and row to the odd ones, and one for the product.
-#ifndef HALFSPACE_HLS_SHADE_TEXTURE_HPP_
-#define HALFSPACE_HLS_SHADE_TEXTURE_HPP_
+#ifndef HALFSPACE_HLS_TEXTURE_SHADE_TEXTURE_HPP_
+#define HALFSPACE_HLS_TEXTURE_SHADE_TEXTURE_HPP_
 
-#include "buffers.hpp"
-#include "lanes.hpp"
-#include "reciprocal_lookup.hpp"
+#include "hls/formats/buffers.hpp"
+#include "hls/formats/lanes.hpp"
+#include "hls/texture/reciprocal_lookup.hpp"
 
 namespace halfspace {
 
@@ -173,4 +173,4 @@ Lanes:
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_SHADE_TEXTURE_HPP_
+#endif  // HALFSPACE_HLS_TEXTURE_SHADE_TEXTURE_HPP_

@@ -3,10 +3,10 @@
 // channels as depths and colours are, unsigned and of b bits, and so their planes have the widths and the bounds of
 // those. Every triangle that has attributes, and is not empty, has a word of coordinates, also one without a texture.
 // Interval of the RTL: that of shade_setup with perspective, less a plane without.
-#ifndef HALFSPACE_HLS_TEXTURE_SETUP_HPP_
-#define HALFSPACE_HLS_TEXTURE_SETUP_HPP_
+#ifndef HALFSPACE_HLS_TEXTURE_TEXTURE_SETUP_HPP_
+#define HALFSPACE_HLS_TEXTURE_TEXTURE_SETUP_HPP_
 
-#include "plane.hpp"
+#include "hls/setup/plane.hpp"
 
 namespace halfspace {
 
@@ -40,4 +40,4 @@ void texture_setup(Stream<Attributes<F>>& attributes, Stream<TextureCoordinates<
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_TEXTURE_SETUP_HPP_
+#endif  // HALFSPACE_HLS_TEXTURE_TEXTURE_SETUP_HPP_

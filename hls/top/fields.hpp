@@ -3,10 +3,10 @@
 #ifndef HALFSPACE_HLS_TOP_FIELDS_HPP_
 #define HALFSPACE_HLS_TOP_FIELDS_HPP_
 
-#include "../configs/high.hpp"
-#include "../configs/low.hpp"
-#include "../configs/middle.hpp"
-#include "../pipeline.hpp"
+#include "hls/formats/configs/high.hpp"
+#include "hls/formats/configs/low.hpp"
+#include "hls/formats/configs/middle.hpp"
+#include "hls/pipeline/pipeline.hpp"
 
 // A tool that synthesizes a top defines these two, or takes them as they are.
 #ifndef HALFSPACE_TOP_CONFIG

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Of a configuration with lighting: HALFSPACE_TOP_CONFIG names it.
-#include "../light_vertex.hpp"
-#include "fields.hpp"
+#include "hls/shade/light_vertex.hpp"
+#include "hls/top/fields.hpp"
 
 using namespace halfspace;
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Of a configuration with motion: HALFSPACE_TOP_CONFIG names it. The caches last from word to word, and are empty at
 // first.
-#include "../motion_compensate.hpp"
-#include "fields.hpp"
+#include "hls/motion/motion_compensate.hpp"
+#include "hls/top/fields.hpp"
 
 using namespace halfspace;
 

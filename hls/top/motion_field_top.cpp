@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Of a motion configuration: HALFSPACE_TOP_CONFIG names it. Returns the words of the stamp, a lane each at most.
-#include "../motion_field.hpp"
-#include "fields.hpp"
+#include "hls/motion/motion_field.hpp"
+#include "hls/top/fields.hpp"
 
 using namespace halfspace;
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Of a motion configuration: HALFSPACE_TOP_CONFIG names it. The word of vectors is not looked at if the attributes are
 // empty.
-#include "../motion_setup.hpp"
-#include "fields.hpp"
+#include "hls/motion/motion_setup.hpp"
+#include "hls/top/fields.hpp"
 
 using namespace halfspace;
 

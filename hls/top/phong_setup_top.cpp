@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Of a configuration with Phong shading: HALFSPACE_TOP_CONFIG names it. One word of normals, of the triangle of the attributes.
-#include "../phong_setup.hpp"
-#include "fields.hpp"
+#include "hls/shade/phong_setup.hpp"
+#include "hls/top/fields.hpp"
 
 using namespace halfspace;
 

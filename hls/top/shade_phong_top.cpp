@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Of a configuration with Phong shading: HALFSPACE_TOP_CONFIG names it.
-#include "../shade_phong.hpp"
-#include "fields.hpp"
+#include "hls/shade/shade_phong.hpp"
+#include "hls/top/fields.hpp"
 
 using namespace halfspace;
 

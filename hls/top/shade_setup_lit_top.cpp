@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // shade_setup of a configuration with lighting: HALFSPACE_TOP_CONFIG names it. One word of colours, of the triangle of the
 // attributes.
-#include "../shade_setup.hpp"
-#include "fields.hpp"
+#include "hls/setup/shade_setup.hpp"
+#include "hls/top/fields.hpp"
 
 using namespace halfspace;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Of a configuration with texture: HALFSPACE_TOP_CONFIG names it.
-#include "../shade_texture.hpp"
-#include "fields.hpp"
+#include "hls/texture/shade_texture.hpp"
+#include "hls/top/fields.hpp"
 
 using namespace halfspace;
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Of a configuration with texture: HALFSPACE_TOP_CONFIG names it. The word of coordinates is not looked at if the
 // attributes are empty.
-#include "../texture_setup.hpp"
-#include "fields.hpp"
+#include "hls/texture/texture_setup.hpp"
+#include "hls/top/fields.hpp"
 
 using namespace halfspace;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Of a configuration with lighting or texture: HALFSPACE_TOP_CONFIG names it.
-#include "../visible_select.hpp"
-#include "fields.hpp"
+#include "hls/ztest/visible_select.hpp"
+#include "hls/top/fields.hpp"
 
 using namespace halfspace;
 

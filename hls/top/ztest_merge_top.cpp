@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "../ztest_merge.hpp"
+#include "hls/objects/ztest_merge.hpp"
 
-#include "fields.hpp"
+#include "hls/top/fields.hpp"
 
 using namespace halfspace;
 

@@ -5,11 +5,11 @@
 //
 // A triangle is dropped for good: its index may be given to another one, as soon as geometry has its word.
 // A word a cycle.
-#ifndef HALFSPACE_HLS_VISIBLE_SELECT_HPP_
-#define HALFSPACE_HLS_VISIBLE_SELECT_HPP_
+#ifndef HALFSPACE_HLS_ZTEST_VISIBLE_SELECT_HPP_
+#define HALFSPACE_HLS_ZTEST_VISIBLE_SELECT_HPP_
 
-#include "records.hpp"
-#include "stream.hpp"
+#include "hls/formats/records.hpp"
+#include "hls/numbers/stream.hpp"
 
 namespace halfspace {
 
@@ -25,4 +25,4 @@ void visible_select(Stream<Attributes<F>>& attributes, Stream<Visible<F>>& teste
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_VISIBLE_SELECT_HPP_
+#endif  // HALFSPACE_HLS_ZTEST_VISIBLE_SELECT_HPP_

@@ -6,11 +6,11 @@
 // nothing stored and counts as farthest, 2^b − 1, whatever its depth word holds: clearing the I-buffer clears both.
 // Without depth all lie equally far, so a fragment passes where the index is 0.
 // A stamp a cycle.
-#ifndef HALFSPACE_HLS_ZTEST_INDEX_HPP_
-#define HALFSPACE_HLS_ZTEST_INDEX_HPP_
+#ifndef HALFSPACE_HLS_ZTEST_ZTEST_INDEX_HPP_
+#define HALFSPACE_HLS_ZTEST_ZTEST_INDEX_HPP_
 
-#include "buffers.hpp"
-#include "stream.hpp"
+#include "hls/formats/buffers.hpp"
+#include "hls/numbers/stream.hpp"
 
 namespace halfspace {
 
@@ -64,4 +64,4 @@ Stamps:
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_ZTEST_INDEX_HPP_
+#endif  // HALFSPACE_HLS_ZTEST_ZTEST_INDEX_HPP_

@@ -15,11 +15,11 @@
 // left; an order of two triangles nearer than that can turn round, and differs from type δ's.
 //
 // A cycle for each different triangle stored in the covered lanes of a stamp, one if there is none, and one a triangle for C.
-#ifndef HALFSPACE_HLS_ZTEST_PLANE_HPP_
-#define HALFSPACE_HLS_ZTEST_PLANE_HPP_
+#ifndef HALFSPACE_HLS_ZTEST_ZTEST_PLANE_HPP_
+#define HALFSPACE_HLS_ZTEST_ZTEST_PLANE_HPP_
 
-#include "buffers.hpp"
-#include "lanes.hpp"
+#include "hls/formats/buffers.hpp"
+#include "hls/formats/lanes.hpp"
 
 namespace halfspace {
 
@@ -109,4 +109,4 @@ Stamps:
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_ZTEST_PLANE_HPP_
+#endif  // HALFSPACE_HLS_ZTEST_ZTEST_PLANE_HPP_

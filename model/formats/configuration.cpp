@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/configuration.hpp"
+#include "model/formats/configuration.hpp"
 
 #include <fmt/format.h>
 #define TOML_EXCEPTIONS 1
@@ -12,12 +12,12 @@
 #include <type_traits>
 #include <utility>
 
-#include "hls/configs/high.hpp"
-#include "hls/configs/low.hpp"
-#include "hls/configs/middle.hpp"
+#include "hls/formats/configs/high.hpp"
+#include "hls/formats/configs/low.hpp"
+#include "hls/formats/configs/middle.hpp"
 #include "ref/error.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 const std::vector<ConfigField>& config_fields() {
   static const std::vector<ConfigField> fields = {
@@ -399,7 +399,7 @@ std::string configuration_header(const Configuration& configuration) {
       "// .toml file: change that, not this one.\n"
       "#ifndef HALFSPACE_CONFIGS_{1}_HPP_\n"
       "#define HALFSPACE_CONFIGS_{1}_HPP_\n\n"
-      "#include \"../config.hpp\"\n\n"
+      "#include \"hls/formats/config.hpp\"\n\n"
       "namespace halfspace {{\n\n"
       "struct {2} {{\n"
       "  static constexpr Config config() {{ return {{\"{0}\"{3}}}; }}\n"
@@ -415,4 +415,4 @@ ref::RasterFormat raster_format(const Configuration& configuration) {
           c.shading == Shading::kFlat};
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Configurations by name or from a file: TOML with the fields of Config, all of them but `shading` and `architecture`, which are
 // "gouraud" and "delta" where nothing is said, and those of lighting and of texture, which are 0, "none" and "affine"; and nothing else.
-#ifndef HALFSPACE_VECTORS_CONFIGURATION_HPP_
-#define HALFSPACE_VECTORS_CONFIGURATION_HPP_
+#ifndef HALFSPACE_MODEL_FORMATS_CONFIGURATION_HPP_
+#define HALFSPACE_MODEL_FORMATS_CONFIGURATION_HPP_
 
 #include <string>
 #include <vector>
 
-#include "hls/config.hpp"
-#include "ref/snap.hpp"
+#include "hls/formats/config.hpp"
+#include "ref/geometry/snap.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 // A number of a Config by the name it has in the file.
 struct ConfigField {
@@ -73,6 +73,6 @@ std::string configuration_header(const Configuration&);
 
 ref::RasterFormat raster_format(const Configuration&);
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_CONFIGURATION_HPP_
+#endif  // HALFSPACE_MODEL_FORMATS_CONFIGURATION_HPP_

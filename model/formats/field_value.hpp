@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // A field of a packed word as a number: its bits, the sign extended; the value is that · 2^−fraction.
-#ifndef HALFSPACE_VECTORS_FIELD_VALUE_HPP_
-#define HALFSPACE_VECTORS_FIELD_VALUE_HPP_
+#ifndef HALFSPACE_MODEL_FORMATS_FIELD_VALUE_HPP_
+#define HALFSPACE_MODEL_FORMATS_FIELD_VALUE_HPP_
 
 #include <algorithm>
 
-#include "vectors/layout.hpp"
+#include "model/formats/layout.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 inline std::int64_t field_value(const Word& word, const Field& field, int lane = 0) {
   const int lsb = field.lsb + lane * field.width, at = lsb / 64, shift = lsb % 64;
@@ -32,6 +32,6 @@ inline std::uint64_t count_set(const Layout& layout, const Word* words, std::siz
   return found;
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_FIELD_VALUE_HPP_
+#endif  // HALFSPACE_MODEL_FORMATS_FIELD_VALUE_HPP_

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/format_fields.hpp"
+#include "model/formats/format_fields.hpp"
 
 #include <fmt/format.h>
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 namespace {
 constexpr bool always(const Config&) { return true; }
@@ -118,4 +118,4 @@ std::string format_name(const NumberFormat& format) {
   return fmt::format("{}{}.{}", format.is_signed ? 's' : 'u', format.integer, format.width - format.integer);
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The rows of the format table, each with its name and the reason of its width, for people and for tests.
-#ifndef HALFSPACE_VECTORS_FORMAT_FIELDS_HPP_
-#define HALFSPACE_VECTORS_FORMAT_FIELDS_HPP_
+#ifndef HALFSPACE_MODEL_FORMATS_FORMAT_FIELDS_HPP_
+#define HALFSPACE_MODEL_FORMATS_FORMAT_FIELDS_HPP_
 
 #include <string>
 #include <vector>
 
-#include "hls/formats.hpp"
+#include "hls/formats/formats.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 struct FormatField {
   const char* name;
@@ -27,6 +27,6 @@ const std::vector<FormatField>& object_format_fields();
 // "u13.0", "s11.8": sign, bits before and after the point.
 std::string format_name(const NumberFormat& format);
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_FORMAT_FIELDS_HPP_
+#endif  // HALFSPACE_MODEL_FORMATS_FORMAT_FIELDS_HPP_

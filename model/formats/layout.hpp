@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The layout of a record as a packed word, read from its visit().
-#ifndef HALFSPACE_VECTORS_LAYOUT_HPP_
-#define HALFSPACE_VECTORS_LAYOUT_HPP_
+#ifndef HALFSPACE_MODEL_FORMATS_LAYOUT_HPP_
+#define HALFSPACE_MODEL_FORMATS_LAYOUT_HPP_
 
 #include <algorithm>
 #include <array>
@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "hls/fixed.hpp"
+#include "hls/numbers/fixed.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 struct Field {
   std::string name;
@@ -124,6 +124,6 @@ inline void append_hex(std::string& text, const Word& word, int bits) {
   }
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_LAYOUT_HPP_
+#endif  // HALFSPACE_MODEL_FORMATS_LAYOUT_HPP_

@@ -4,15 +4,15 @@
 //
 // The table is the thread's: activate() before each use of a kernel. Values do not know their width; an operation
 // gives an exact integer with its binary point, and a conversion wraps to what the table says of the target.
-#ifndef HALFSPACE_VECTORS_RUNTIME_FORMATS_HPP_
-#define HALFSPACE_VECTORS_RUNTIME_FORMATS_HPP_
+#ifndef HALFSPACE_MODEL_FORMATS_RUNTIME_FORMATS_HPP_
+#define HALFSPACE_MODEL_FORMATS_RUNTIME_FORMATS_HPP_
 
 #include <cstdint>
 #include <type_traits>
 #include <vector>
 
-#include "hls/buffers.hpp"
-#include "hls/lighting.hpp"
+#include "hls/formats/buffers.hpp"
+#include "hls/shade/lighting.hpp"
 
 namespace halfspace {
 
@@ -340,4 +340,4 @@ struct MaterialTable<RuntimeFormats<S>> {
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_VECTORS_RUNTIME_FORMATS_HPP_
+#endif  // HALFSPACE_MODEL_FORMATS_RUNTIME_FORMATS_HPP_

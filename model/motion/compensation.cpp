@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/compensation.hpp"
+#include "model/motion/compensation.hpp"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <memory>
 #include <tuple>
 
-#include "hls/motion_compensate.hpp"
+#include "hls/motion/motion_compensate.hpp"
 #include "ref/error.hpp"
-#include "vectors/runtime_formats.hpp"
+#include "model/formats/runtime_formats.hpp"
 
 namespace halfspace {
 
@@ -28,7 +28,7 @@ struct KeyWeights<RuntimeFormats<S>> {
   }
 };
 
-namespace vectors {
+namespace model {
 namespace {
 
 using F = RuntimeFormats<Stamp1>;

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // motion_compensate as a driver sees it, for any configuration with motion: key frames, the motion of the pixels in
 // between, and what becomes of these.
-#ifndef HALFSPACE_VECTORS_COMPENSATION_HPP_
-#define HALFSPACE_VECTORS_COMPENSATION_HPP_
+#ifndef HALFSPACE_MODEL_MOTION_COMPENSATION_HPP_
+#define HALFSPACE_MODEL_MOTION_COMPENSATION_HPP_
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
-#include "hls/formats.hpp"
-#include "vectors/configuration.hpp"
-#include "vectors/layout.hpp"
-#include "vectors/motion_words.hpp"
+#include "hls/formats/formats.hpp"
+#include "model/formats/configuration.hpp"
+#include "model/formats/layout.hpp"
+#include "model/motion/motion_words.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 // Row by row. Colours of colour_bits; the face that a pixel shows, 0: the background, or more than one.
 struct KeyFrame {
@@ -65,6 +65,6 @@ class Compensator {
 // The order in which words are sent: by tiles of a key frame, row by row of tiles, and row by row inside.
 void order_by_tiles(std::vector<RawMotion>& motion, const Config& config);
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_COMPENSATION_HPP_
+#endif  // HALFSPACE_MODEL_MOTION_COMPENSATION_HPP_

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/motion.hpp"
+#include "model/motion/motion.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "ref/error.hpp"
-#include "ref/snap.hpp"
+#include "ref/geometry/snap.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 int face_number(std::uint32_t face, const Config& config) {
   const std::uint32_t faces = (std::uint32_t(1) << config.face_bits) - 1;
@@ -80,4 +80,4 @@ MotionFrame motion_frame(const ref::Between& between, const Config& config,
   return frame;
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

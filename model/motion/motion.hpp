@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Frames in between as the kernels take and give them: where each triangle is in the key frames, and the motion field.
-#ifndef HALFSPACE_VECTORS_MOTION_HPP_
-#define HALFSPACE_VECTORS_MOTION_HPP_
+#ifndef HALFSPACE_MODEL_MOTION_MOTION_HPP_
+#define HALFSPACE_MODEL_MOTION_MOTION_HPP_
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
-#include "hls/formats.hpp"
-#include "ref/motion.hpp"
-#include "ref/snap.hpp"
-#include "ref/relight.hpp"
+#include "hls/formats/formats.hpp"
+#include "ref/motion/motion.hpp"
+#include "ref/geometry/snap.hpp"
+#include "ref/motion/relight.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 // The raw bits of the records of the same names.
 struct RawKeyPlaces {
@@ -49,6 +49,6 @@ MotionFrame motion_frame(const ref::Between& between, const Config& config,
 // that is nowhere; differences likewise.
 MotionFrame awkward_motion(const ref::SnappedList& list, const Config& config, std::uint64_t seed);
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_MOTION_HPP_
+#endif  // HALFSPACE_MODEL_MOTION_MOTION_HPP_

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a MotionFrame has of a triangle as a record, and the records of the motion field as plain numbers.
-#ifndef HALFSPACE_VECTORS_MOTION_RECORDS_HPP_
-#define HALFSPACE_VECTORS_MOTION_RECORDS_HPP_
+#ifndef HALFSPACE_MODEL_MOTION_MOTION_RECORDS_HPP_
+#define HALFSPACE_MODEL_MOTION_MOTION_RECORDS_HPP_
 
-#include "hls/records.hpp"
-#include "vectors/motion.hpp"
-#include "vectors/motion_words.hpp"
+#include "hls/formats/records.hpp"
+#include "model/motion/motion.hpp"
+#include "model/motion/motion_words.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 template <class F>
 MotionVectors<F> vectors_record(const RawMotionVectors& in, int index, bool last) {
@@ -52,6 +52,6 @@ RawMotion plain_motion(const Motion<F>& in) {
   return out;
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_MOTION_RECORDS_HPP_
+#endif  // HALFSPACE_MODEL_MOTION_MOTION_RECORDS_HPP_

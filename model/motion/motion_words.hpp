@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The motion of a pixel of a frame in between, as plain numbers.
-#ifndef HALFSPACE_VECTORS_MOTION_WORDS_HPP_
-#define HALFSPACE_VECTORS_MOTION_WORDS_HPP_
+#ifndef HALFSPACE_MODEL_MOTION_MOTION_WORDS_HPP_
+#define HALFSPACE_MODEL_MOTION_MOTION_WORDS_HPP_
 
 #include <array>
 #include <cstdint>
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 struct RawKeyVector {
   bool there = false;
@@ -20,6 +20,6 @@ struct RawMotion {
   std::array<RawKeyVector, 2> key;
 };
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_MOTION_WORDS_HPP_
+#endif  // HALFSPACE_MODEL_MOTION_MOTION_WORDS_HPP_

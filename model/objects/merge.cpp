@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/merge.hpp"
+#include "model/objects/merge.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "ref/error.hpp"
-#include "vectors/engine_impl.hpp"
-#include "vectors/merge_impl.hpp"
-#include "vectors/runtime_formats.hpp"
+#include "model/formats/stamps.hpp"
+#include "model/objects/merge_impl.hpp"
+#include "model/formats/runtime_formats.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 namespace {
 
 void check(const MergeInput& input, const Configuration& configuration) {
@@ -67,4 +67,4 @@ std::vector<Layout> Merger::layouts() const {
   });
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // ztest_merge as a driver sees it, for any configuration with objects: buffers of the size of a frame, and runs over a box of them.
-#ifndef HALFSPACE_VECTORS_MERGE_HPP_
-#define HALFSPACE_VECTORS_MERGE_HPP_
+#ifndef HALFSPACE_MODEL_OBJECTS_MERGE_HPP_
+#define HALFSPACE_MODEL_OBJECTS_MERGE_HPP_
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
-#include "hls/formats.hpp"
-#include "ref/object_buffer.hpp"
-#include "vectors/configuration.hpp"
-#include "vectors/layout.hpp"
-#include "vectors/object_words.hpp"
+#include "hls/formats/formats.hpp"
+#include "ref/objects/object_buffer.hpp"
+#include "model/formats/configuration.hpp"
+#include "model/formats/layout.hpp"
+#include "model/objects/object_words.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 // Buffers are row by row, width × height.
 struct MergeInput {
@@ -53,6 +53,6 @@ class Merger {
   int lanes_;
 };
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_MERGE_HPP_
+#endif  // HALFSPACE_MODEL_OBJECTS_MERGE_HPP_

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // A run of ztest_merge for one configuration and one stamp.
-#ifndef HALFSPACE_VECTORS_MERGE_IMPL_HPP_
-#define HALFSPACE_VECTORS_MERGE_IMPL_HPP_
+#ifndef HALFSPACE_MODEL_OBJECTS_MERGE_IMPL_HPP_
+#define HALFSPACE_MODEL_OBJECTS_MERGE_IMPL_HPP_
 
 #include <vector>
 
-#include "hls/ztest_merge.hpp"
-#include "ref/snap.hpp"
-#include "vectors/merge.hpp"
-#include "vectors/object_records.hpp"
+#include "hls/objects/ztest_merge.hpp"
+#include "ref/geometry/snap.hpp"
+#include "model/objects/merge.hpp"
+#include "model/objects/object_records.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 template <class F, class E>
 E entry_record(const std::vector<RawEntry>& buffer, const MergeInput& input, int x, int y, bool last) {
@@ -86,6 +86,6 @@ MergeResult merge_run(const MergeInput& input, std::vector<StreamWords>* streams
   return result;
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_MERGE_IMPL_HPP_
+#endif  // HALFSPACE_MODEL_OBJECTS_MERGE_IMPL_HPP_

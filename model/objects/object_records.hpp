@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The records of buffers that know objects as plain numbers.
-#ifndef HALFSPACE_VECTORS_OBJECT_RECORDS_HPP_
-#define HALFSPACE_VECTORS_OBJECT_RECORDS_HPP_
+#ifndef HALFSPACE_MODEL_OBJECTS_OBJECT_RECORDS_HPP_
+#define HALFSPACE_MODEL_OBJECTS_OBJECT_RECORDS_HPP_
 
 #include <vector>
 
-#include "hls/object_records.hpp"
-#include "vectors/object_words.hpp"
+#include "hls/formats/object_records.hpp"
+#include "model/objects/object_words.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 // Puts the pixels of a stamp into a frame, row by row, as far as they are inside.
 template <class F>
@@ -21,6 +21,6 @@ void put_entry(const Entry<F>& in, int width, int height, std::vector<RawEntry>&
   }
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_OBJECT_RECORDS_HPP_
+#endif  // HALFSPACE_MODEL_OBJECTS_OBJECT_RECORDS_HPP_

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // A pixel of a buffer that knows objects, in plain numbers.
-#ifndef HALFSPACE_VECTORS_OBJECT_WORDS_HPP_
-#define HALFSPACE_VECTORS_OBJECT_WORDS_HPP_
+#ifndef HALFSPACE_MODEL_OBJECTS_OBJECT_WORDS_HPP_
+#define HALFSPACE_MODEL_OBJECTS_OBJECT_WORDS_HPP_
 
 #include <array>
 #include <cstdint>
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 // Colours of colour_bits. Background: the largest depth, object 0.
 struct RawEntry {
@@ -16,6 +16,6 @@ struct RawEntry {
   bool operator==(const RawEntry& o) const { return depth == o.depth && object == o.object && rgb == o.rgb; }
 };
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_OBJECT_WORDS_HPP_
+#endif  // HALFSPACE_MODEL_OBJECTS_OBJECT_WORDS_HPP_

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/accesses.hpp"
+#include "model/pipeline/accesses.hpp"
 
 #include <algorithm>
 #include <string>
 
-#include "vectors/field_value.hpp"
+#include "model/formats/field_value.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 namespace {
 
 class Counter {
@@ -86,4 +86,4 @@ Accesses count_accesses(const Config& config, Engine& engine, const ref::Snapped
   return counter.result();
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

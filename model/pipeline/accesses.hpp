@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a frame reads and writes of its memories, counted at the streams of the kernels.
-#ifndef HALFSPACE_VECTORS_ACCESSES_HPP_
-#define HALFSPACE_VECTORS_ACCESSES_HPP_
+#ifndef HALFSPACE_MODEL_PIPELINE_ACCESSES_HPP_
+#define HALFSPACE_MODEL_PIPELINE_ACCESSES_HPP_
 
-#include "ref/architecture.hpp"
-#include "vectors/engine.hpp"
-#include "vectors/memories.hpp"
+#include "ref/raster/architecture.hpp"
+#include "model/pipeline/engine.hpp"
+#include "model/pipeline/memories.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 // In entries; a buffer has one a pixel, a database one a triangle.
 struct Accesses {
@@ -21,6 +21,6 @@ struct Accesses {
 // Takes a rendering, with type γ two.
 Accesses count_accesses(const Config&, Engine& engine, const ref::SnappedList& scene);
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_ACCESSES_HPP_
+#endif  // HALFSPACE_MODEL_PIPELINE_ACCESSES_HPP_

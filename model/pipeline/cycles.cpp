@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/cycles.hpp"
+#include "model/pipeline/cycles.hpp"
 
 #include <algorithm>
 
-#include "hls/formats.hpp"
+#include "hls/formats/formats.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 namespace {
 
 using Cycle = std::int64_t;
 
-// Words a queue holds (parameters of rtl/hs_pipeline.sv); that of setups offers one more.
+// Words a queue holds (parameters of rtl/pipeline/hs_pipeline.sv); that of setups offers one more.
 constexpr std::size_t kSetupQueue = 512 + 1, kAttributesQueue = 4, kScanQueue = 4;
 constexpr Cycle kStampQueue = 4;
 
@@ -226,4 +226,4 @@ Cycles model_cycles(const Config& config, Engine& engine, const ref::SnappedList
   return result;
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

@@ -4,20 +4,20 @@
 // Type γ: the Z-test takes the cycles of ztest_plane; that a stamp waits for one in flight at the same pixels is not modelled.
 // The kernels tell what a frame asks of each unit: stamps visited, triangles in a stamp. The model moves triangles, not
 // clock edges: each unit takes what it offers after its interval and latency, waits for the one before it and for room in
-// the queue behind it (rtl/hs_pipeline.sv), as in the comments of rtl/hs_*.sv. Frames follow each other at once. Held to
-// the co-simulation in tests/cosim_test.py.
-#ifndef HALFSPACE_VECTORS_CYCLES_HPP_
-#define HALFSPACE_VECTORS_CYCLES_HPP_
+// the queue behind it (rtl/pipeline/hs_pipeline.sv), as in the comments of rtl/hs_*.sv. Frames follow each other at once. Held to
+// the co-simulation in tests/pipeline/cosim_test.py.
+#ifndef HALFSPACE_MODEL_PIPELINE_CYCLES_HPP_
+#define HALFSPACE_MODEL_PIPELINE_CYCLES_HPP_
 
 #include <cstdint>
 #include <vector>
 
-#include "hls/config.hpp"
-#include "ref/raster.hpp"
-#include "ref/snap.hpp"
-#include "vectors/engine.hpp"
+#include "hls/formats/config.hpp"
+#include "ref/raster/raster.hpp"
+#include "ref/geometry/snap.hpp"
+#include "model/pipeline/engine.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 // Cycles of the units that depend on the configuration alone.
 struct UnitIntervals {
@@ -50,6 +50,6 @@ struct Cycles {
 Cycles model_cycles(const Config&, Engine& engine, const ref::SnappedList& scene, const ref::Frame& frame,
                     int frames = 2);
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_CYCLES_HPP_
+#endif  // HALFSPACE_MODEL_PIPELINE_CYCLES_HPP_

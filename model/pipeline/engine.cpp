@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/engine.hpp"
+#include "model/pipeline/engine.hpp"
 
 #include <algorithm>
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 std::unique_ptr<Engine> make_engine_low(int lanes);
 std::unique_ptr<Engine> make_engine_middle(int lanes);
@@ -45,4 +45,4 @@ std::unique_ptr<Engine> make_engine(const std::string& name_or_path, int lanes) 
   return make_engine(find_configuration(name_or_path), lanes);
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

@@ -1,25 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 // The kernels behind a plain interface: a configuration and a number of lanes are chosen at run time.
-#ifndef HALFSPACE_VECTORS_ENGINE_HPP_
-#define HALFSPACE_VECTORS_ENGINE_HPP_
+#ifndef HALFSPACE_MODEL_PIPELINE_ENGINE_HPP_
+#define HALFSPACE_MODEL_PIPELINE_ENGINE_HPP_
 
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "hls/records.hpp"
-#include "ref/raster.hpp"
-#include "ref/snap.hpp"
-#include "vectors/configuration.hpp"
-#include "vectors/layout.hpp"
-#include "vectors/lighting.hpp"
-#include "vectors/motion.hpp"
-#include "vectors/motion_words.hpp"
-#include "vectors/object_words.hpp"
-#include "vectors/texture.hpp"
+#include "hls/formats/records.hpp"
+#include "ref/raster/raster.hpp"
+#include "ref/geometry/snap.hpp"
+#include "model/formats/configuration.hpp"
+#include "model/formats/layout.hpp"
+#include "model/formats/stamps.hpp"
+#include "model/shade/lighting.hpp"
+#include "model/motion/motion.hpp"
+#include "model/motion/motion_words.hpp"
+#include "model/objects/object_words.hpp"
+#include "model/texture/texture.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 // Receives the words of one stream of one frame, in order.
 using WordSink = std::function<void(const Layout&, const Word*, std::size_t count)>;
@@ -74,12 +75,6 @@ class Engine {
 // Are its kernels compiled? Those of the named configurations are, with any number of lanes.
 bool is_compiled(const Configuration& configuration);
 
-// A stamp, in pixels. Throws ref::Error for a number of lanes that none has.
-struct StampSize {
-  int x, y;
-};
-StampSize stamp_size(int lanes);
-
 // `lanes` is 1, 2, 4, 8 or 16. Throws ref::Error for a name or number that there is not. Named configurations are
 // compiled; any other is simulated with formats read at run time, several times slower and equal to the bit.
 std::unique_ptr<Engine> make_engine(const Configuration& configuration, int lanes);
@@ -91,6 +86,6 @@ std::unique_ptr<Engine> make_runtime_engine(const Config& config, const FormatTa
 std::vector<ref::RasterFormat> raster_formats();
 ref::RasterFormat raster_format(const std::string& name_or_path);
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_ENGINE_HPP_
+#endif  // HALFSPACE_MODEL_PIPELINE_ENGINE_HPP_

@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 // Engine for one configuration and one stamp.
-#ifndef HALFSPACE_VECTORS_ENGINE_IMPL_HPP_
-#define HALFSPACE_VECTORS_ENGINE_IMPL_HPP_
+#ifndef HALFSPACE_MODEL_PIPELINE_ENGINE_IMPL_HPP_
+#define HALFSPACE_MODEL_PIPELINE_ENGINE_IMPL_HPP_
 
 #include <algorithm>
 #include <cstring>
 #include <memory>
 #include <string>
 
-#include "hls/pipeline.hpp"
+#include "hls/pipeline/pipeline.hpp"
 #include "ref/error.hpp"
-#include "ref/index_pool.hpp"
-#include "vectors/engine.hpp"
-#include "vectors/lighting_records.hpp"
-#include "vectors/motion_records.hpp"
-#include "vectors/object_records.hpp"
-#include "vectors/texture_records.hpp"
+#include "ref/raster/index_pool.hpp"
+#include "model/formats/stamps.hpp"
+#include "model/pipeline/engine.hpp"
+#include "model/shade/lighting_records.hpp"
+#include "model/motion/motion_records.hpp"
+#include "model/objects/object_records.hpp"
+#include "model/texture/texture_records.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 template <class F>
 class KernelEngine : public Engine {
@@ -363,19 +364,6 @@ class KernelEngine : public Engine {
   std::vector<std::uint32_t> objects_;
 };
 
-// make(stamp) for the stamp of this many lanes. Throws ref::Error if there is none.
-template <class Result, class Make>
-Result with_stamp(int lanes, Make make) {
-  switch (lanes) {
-    case 1: return make(Stamp1());
-    case 2: return make(Stamp2());
-    case 4: return make(Stamp4());
-    case 8: return make(Stamp8());
-    case 16: return make(Stamp16());
-  }
-  throw ref::Error("there is no stamp of " + std::to_string(lanes) + " lanes: use 1, 2, 4, 8 or 16");
-}
-
 // Engine of configuration C with the given number of lanes.
 template <class C>
 std::unique_ptr<Engine> make_kernel_engine(int lanes) {
@@ -384,6 +372,6 @@ std::unique_ptr<Engine> make_kernel_engine(int lanes) {
   });
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_ENGINE_IMPL_HPP_
+#endif  // HALFSPACE_MODEL_PIPELINE_ENGINE_IMPL_HPP_

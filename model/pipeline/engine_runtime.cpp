@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/engine_impl.hpp"
-#include "vectors/runtime_formats.hpp"
+#include "model/pipeline/engine_impl.hpp"
+#include "model/formats/runtime_formats.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 namespace {
 
 // The engine of the kernels, with its formats made the thread's before each use.
@@ -77,14 +77,10 @@ class RuntimeEngine : public Engine {
 
 }  // namespace
 
-StampSize stamp_size(int lanes) {
-  return with_stamp<StampSize>(lanes, [](auto stamp) { return StampSize{stamp.kX, stamp.kY}; });
-}
-
 std::unique_ptr<Engine> make_runtime_engine(const Config& config, const FormatTable& table, int lanes) {
   return with_stamp<std::unique_ptr<Engine>>(lanes, [&](auto stamp) -> std::unique_ptr<Engine> {
     return std::make_unique<RuntimeEngine<decltype(stamp)>>(config, table);
   });
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

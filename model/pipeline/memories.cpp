@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/memories.hpp"
+#include "model/pipeline/memories.hpp"
 
-#include "hls/records.hpp"
+#include "hls/formats/records.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 BufferBits entry_bits(const Config& config) {
   const FormatTable t = format_table(config);
@@ -43,4 +43,4 @@ MemoryBits memory_bits(const Config& c, int lanes_x, int lanes_y) {
           2 * triangles * entry.object};
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

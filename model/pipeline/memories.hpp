@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The memories of the frame: what an entry holds, what accesses come to in bytes, and how many bits the RTL declares.
-#ifndef HALFSPACE_VECTORS_MEMORIES_HPP_
-#define HALFSPACE_VECTORS_MEMORIES_HPP_
+#ifndef HALFSPACE_MODEL_PIPELINE_MEMORIES_HPP_
+#define HALFSPACE_MODEL_PIPELINE_MEMORIES_HPP_
 
 #include <cstdint>
 
-#include "hls/config.hpp"
-#include "ref/architecture.hpp"
+#include "hls/formats/config.hpp"
+#include "ref/raster/architecture.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 // Bits of an entry; 0 where there is no such memory.
 struct BufferBits {
@@ -48,6 +48,6 @@ struct MemoryBits {
 };
 MemoryBits memory_bits(const Config&, int lanes_x = 1, int lanes_y = 1);
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_MEMORIES_HPP_
+#endif  // HALFSPACE_MODEL_PIPELINE_MEMORIES_HPP_

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/rates.hpp"
+#include "model/pipeline/rates.hpp"
 
 #include <map>
 #include <string>
 
-#include "vectors/field_value.hpp"
+#include "model/formats/field_value.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 ref::Rates count_rates(Engine& engine, const ref::SnappedList& scene, const Config& config) {
   ref::Rates rates;
@@ -55,4 +55,4 @@ ref::Rates count_rates(Engine& engine, const ref::SnappedList& scene, const Conf
   return rates;
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // The data rates of a frame, counted at the streams of the kernels.
-#ifndef HALFSPACE_VECTORS_RATES_HPP_
-#define HALFSPACE_VECTORS_RATES_HPP_
+#ifndef HALFSPACE_MODEL_PIPELINE_RATES_HPP_
+#define HALFSPACE_MODEL_PIPELINE_RATES_HPP_
 
-#include "ref/architecture.hpp"
-#include "vectors/engine.hpp"
+#include "ref/raster/architecture.hpp"
+#include "model/pipeline/engine.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 // Triangles, fragments, visible pixels, and with lighting its operations; what is not in a stream stays 0. Takes a rendering.
 ref::Rates count_rates(Engine& engine, const ref::SnappedList& scene, const Config& config);
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_RATES_HPP_
+#endif  // HALFSPACE_MODEL_PIPELINE_RATES_HPP_

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/lighting.hpp"
+#include "model/shade/lighting.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 
 #include "ref/error.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 namespace {
 
 // To nearest, and within the width.
@@ -208,4 +208,4 @@ std::vector<LightingFrame> lighting_frames(const Config& config, std::uint64_t s
   return Frames(config, seed).take();
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Frames of normals for the lighting kernels: as integers, from a scene or made to be awkward, and the kernels that
 // light them.
-#ifndef HALFSPACE_VECTORS_LIGHTING_HPP_
-#define HALFSPACE_VECTORS_LIGHTING_HPP_
+#ifndef HALFSPACE_MODEL_SHADE_LIGHTING_HPP_
+#define HALFSPACE_MODEL_SHADE_LIGHTING_HPP_
 
 #include <array>
 #include <cstdint>
@@ -11,12 +11,12 @@
 #include <string>
 #include <vector>
 
-#include "hls/formats.hpp"
-#include "ref/distant_lighting.hpp"
-#include "vectors/configuration.hpp"
-#include "vectors/layout.hpp"
+#include "hls/formats/formats.hpp"
+#include "ref/geometry/distant_lighting.hpp"
+#include "model/formats/configuration.hpp"
+#include "model/formats/layout.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 // The raw bits of the records of the same names.
 struct RawLight {
@@ -72,6 +72,6 @@ class LightingEngine {
 std::unique_ptr<LightingEngine> make_lighting_engine(const Config& config);
 std::unique_ptr<LightingEngine> make_lighting_engine(const Config& config, const FormatTable& table);
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_LIGHTING_HPP_
+#endif  // HALFSPACE_MODEL_SHADE_LIGHTING_HPP_

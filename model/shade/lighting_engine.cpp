@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/lighting_engine.hpp"
+#include "model/shade/lighting_engine.hpp"
 
-#include "vectors/runtime_formats.hpp"
+#include "model/formats/runtime_formats.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 namespace {
 
 using F = RuntimeFormats<Stamp1>;
@@ -46,4 +46,4 @@ std::unique_ptr<LightingEngine> make_lighting_engine(const Config& config) {
   return make_lighting_engine(config, format_table(config));
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // LightingEngine on one set of formats.
-#ifndef HALFSPACE_VECTORS_LIGHTING_ENGINE_HPP_
-#define HALFSPACE_VECTORS_LIGHTING_ENGINE_HPP_
+#ifndef HALFSPACE_MODEL_SHADE_LIGHTING_ENGINE_HPP_
+#define HALFSPACE_MODEL_SHADE_LIGHTING_ENGINE_HPP_
 
-#include "hls/light_vertex.hpp"
-#include "vectors/lighting_records.hpp"
+#include "hls/shade/light_vertex.hpp"
+#include "model/shade/lighting_records.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 template <class F>
 class LightingKernels : public LightingEngine {
@@ -77,6 +77,6 @@ class LightingKernels : public LightingEngine {
   MaterialTable<F> materials_{};
 };
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_LIGHTING_ENGINE_HPP_
+#endif  // HALFSPACE_MODEL_SHADE_LIGHTING_ENGINE_HPP_

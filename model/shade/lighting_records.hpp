@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lights, materials and normals of a LightingFrame as records, and into the tables of the kernels.
-#ifndef HALFSPACE_VECTORS_LIGHTING_RECORDS_HPP_
-#define HALFSPACE_VECTORS_LIGHTING_RECORDS_HPP_
+#ifndef HALFSPACE_MODEL_SHADE_LIGHTING_RECORDS_HPP_
+#define HALFSPACE_MODEL_SHADE_LIGHTING_RECORDS_HPP_
 
 #include <vector>
 
-#include "hls/lighting.hpp"
-#include "vectors/lighting.hpp"
+#include "hls/shade/lighting.hpp"
+#include "model/shade/lighting.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 template <class T>
 void fill_components(T (&to)[3], const std::array<int, 3>& from) {
@@ -68,6 +68,6 @@ Normals<F> normals_record(const RawNormals& in, int index, bool last) {
   return out;
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_LIGHTING_RECORDS_HPP_
+#endif  // HALFSPACE_MODEL_SHADE_LIGHTING_RECORDS_HPP_

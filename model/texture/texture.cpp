@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/texture.hpp"
+#include "model/texture/texture.hpp"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,9 @@
 #include <numeric>
 
 #include "ref/error.hpp"
-#include "ref/snap.hpp"
+#include "ref/geometry/snap.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 namespace {
 
 // Of two sides 2^width and 2^height.
@@ -135,4 +135,4 @@ TextureFrame texture_frame(const ref::Geometry& geometry, const Config& config) 
   return frame;
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

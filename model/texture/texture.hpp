@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Frames of texture: what the kernels take beside a snapped list, the coordinates of each triangle and the texture
 // memory.
-#ifndef HALFSPACE_VECTORS_TEXTURE_HPP_
-#define HALFSPACE_VECTORS_TEXTURE_HPP_
+#ifndef HALFSPACE_MODEL_TEXTURE_TEXTURE_HPP_
+#define HALFSPACE_MODEL_TEXTURE_TEXTURE_HPP_
 
 #include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "hls/formats.hpp"
-#include "ref/geometry.hpp"
+#include "hls/formats/formats.hpp"
+#include "ref/geometry/geometry.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 // The raw bits of the records of the same names.
 struct RawCoordinates {
@@ -54,6 +54,6 @@ TextureFrame texture_frame(const ref::Geometry& geometry, const Config& config);
 // much as can be, many repetitions, and none of a texture.
 TextureFrame awkward_coordinates(std::size_t triangles, const Config& config, std::uint64_t seed);
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_TEXTURE_HPP_
+#endif  // HALFSPACE_MODEL_TEXTURE_TEXTURE_HPP_

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Textures and coordinates of a TextureFrame as records, and into the table and the memory of the kernels.
-#ifndef HALFSPACE_VECTORS_TEXTURE_RECORDS_HPP_
-#define HALFSPACE_VECTORS_TEXTURE_RECORDS_HPP_
+#ifndef HALFSPACE_MODEL_TEXTURE_TEXTURE_RECORDS_HPP_
+#define HALFSPACE_MODEL_TEXTURE_TEXTURE_RECORDS_HPP_
 
-#include "hls/shade_texture.hpp"
-#include "vectors/texture.hpp"
+#include "hls/texture/shade_texture.hpp"
+#include "model/texture/texture.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 // The words that went into the table.
 template <class F>
@@ -58,6 +58,6 @@ TextureCoordinates<F> coordinates_record(const RawCoordinates& in, int index, bo
   return out;
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_TEXTURE_RECORDS_HPP_
+#endif  // HALFSPACE_MODEL_TEXTURE_TEXTURE_RECORDS_HPP_

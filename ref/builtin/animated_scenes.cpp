@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/animated_scenes.hpp"
+#include "ref/builtin/animated_scenes.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "ref/box_texture.hpp"
-#include "ref/builtin_scenes.hpp"
+#include "ref/builtin/box_texture.hpp"
+#include "ref/builtin/builtin_scenes.hpp"
 
 namespace halfspace::ref {
 namespace {

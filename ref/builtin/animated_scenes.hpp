@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Built-in scenes that move. Instances, and the camera of some, are functions of time; meshes and the order of
 // instances are not, so that a face has one number at all times. Speeds are in docs/frames.md.
-#ifndef HALFSPACE_REF_ANIMATED_SCENES_HPP_
-#define HALFSPACE_REF_ANIMATED_SCENES_HPP_
+#ifndef HALFSPACE_REF_BUILTIN_ANIMATED_SCENES_HPP_
+#define HALFSPACE_REF_BUILTIN_ANIMATED_SCENES_HPP_
 
 #include <optional>
 #include <string>
 
-#include "ref/scene.hpp"
+#include "ref/scene/scene.hpp"
 
 namespace halfspace::ref {
 
@@ -22,4 +22,4 @@ Scene court(double seconds);  // a drone at a castle, which stands still
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_ANIMATED_SCENES_HPP_
+#endif  // HALFSPACE_REF_BUILTIN_ANIMATED_SCENES_HPP_

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/box_texture.hpp"
+#include "ref/builtin/box_texture.hpp"
 
 #include <map>
 #include <utility>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#ifndef HALFSPACE_REF_BOX_TEXTURE_HPP_
-#define HALFSPACE_REF_BOX_TEXTURE_HPP_
+#ifndef HALFSPACE_REF_BUILTIN_BOX_TEXTURE_HPP_
+#define HALFSPACE_REF_BUILTIN_BOX_TEXTURE_HPP_
 
-#include "ref/scene.hpp"
+#include "ref/scene/scene.hpp"
 
 namespace halfspace::ref {
 
@@ -13,4 +13,4 @@ void add_box_texture(Scene&);
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_BOX_TEXTURE_HPP_
+#endif  // HALFSPACE_REF_BUILTIN_BOX_TEXTURE_HPP_

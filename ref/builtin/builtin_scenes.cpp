@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/builtin_scenes.hpp"
+#include "ref/builtin/builtin_scenes.hpp"
 
 namespace halfspace::ref {
 namespace {

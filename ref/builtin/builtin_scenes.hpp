@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#ifndef HALFSPACE_REF_BUILTIN_SCENES_HPP_
-#define HALFSPACE_REF_BUILTIN_SCENES_HPP_
+#ifndef HALFSPACE_REF_BUILTIN_BUILTIN_SCENES_HPP_
+#define HALFSPACE_REF_BUILTIN_BUILTIN_SCENES_HPP_
 
 #include <optional>
 #include <string>
 
-#include "ref/scene.hpp"
+#include "ref/scene/scene.hpp"
 
 namespace halfspace::ref {
 
@@ -22,4 +22,4 @@ Scene castle();      // walls and towers that cover each other
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_BUILTIN_SCENES_HPP_
+#endif  // HALFSPACE_REF_BUILTIN_BUILTIN_SCENES_HPP_

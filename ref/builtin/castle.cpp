@@ -4,8 +4,8 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
-#include "ref/builtin_scenes.hpp"
-#include "ref/mesh_builder.hpp"
+#include "ref/builtin/builtin_scenes.hpp"
+#include "ref/builtin/mesh_builder.hpp"
 
 namespace halfspace::ref {
 namespace {

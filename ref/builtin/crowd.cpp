@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/crowd.hpp"
+#include "ref/builtin/crowd.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "ref/error.hpp"
-#include "ref/mesh_builder.hpp"
+#include "ref/builtin/mesh_builder.hpp"
 
 namespace halfspace::ref {
 namespace {

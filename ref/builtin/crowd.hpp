@@ -2,14 +2,14 @@
 // A scene of many objects of which few move: the experiment of the static objects buffer. Objects are instances of
 // three meshes of 4,512 triangles, at random places and turned at random, as many before each other everywhere in the
 // frame.
-#ifndef HALFSPACE_REF_CROWD_HPP_
-#define HALFSPACE_REF_CROWD_HPP_
+#ifndef HALFSPACE_REF_BUILTIN_CROWD_HPP_
+#define HALFSPACE_REF_BUILTIN_CROWD_HPP_
 
 #include <cstdint>
 #include <random>
 #include <vector>
 
-#include "ref/scene.hpp"
+#include "ref/scene/scene.hpp"
 
 namespace halfspace::ref {
 
@@ -55,4 +55,4 @@ class Crowd {
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_CROWD_HPP_
+#endif  // HALFSPACE_REF_BUILTIN_CROWD_HPP_

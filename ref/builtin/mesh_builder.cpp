@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/mesh_builder.hpp"
+#include "ref/builtin/mesh_builder.hpp"
 
 #include <cmath>
 #include <glm/gtc/constants.hpp>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Solids for the built-in scenes. Colours are kept a vertex, so that a scene needs few materials.
-#ifndef HALFSPACE_REF_MESH_BUILDER_HPP_
-#define HALFSPACE_REF_MESH_BUILDER_HPP_
+#ifndef HALFSPACE_REF_BUILTIN_MESH_BUILDER_HPP_
+#define HALFSPACE_REF_BUILTIN_MESH_BUILDER_HPP_
 
 #include <vector>
 
-#include "ref/scene.hpp"
+#include "ref/scene/scene.hpp"
 
 namespace halfspace::ref {
 
@@ -44,4 +44,4 @@ class MeshBuilder {
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_MESH_BUILDER_HPP_
+#endif  // HALFSPACE_REF_BUILTIN_MESH_BUILDER_HPP_

@@ -3,8 +3,8 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "ref/builtin_scenes.hpp"
-#include "ref/mesh_builder.hpp"
+#include "ref/builtin/builtin_scenes.hpp"
+#include "ref/builtin/mesh_builder.hpp"
 
 namespace halfspace::ref {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <array>
 
-#include "ref/builtin_scenes.hpp"
-#include "ref/mesh_builder.hpp"
+#include "ref/builtin/builtin_scenes.hpp"
+#include "ref/builtin/mesh_builder.hpp"
 
 namespace halfspace::ref {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/clip.hpp"
+#include "ref/geometry/clip.hpp"
 
 #include <algorithm>
 

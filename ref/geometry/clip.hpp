@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#ifndef HALFSPACE_REF_CLIP_HPP_
-#define HALFSPACE_REF_CLIP_HPP_
+#ifndef HALFSPACE_REF_GEOMETRY_CLIP_HPP_
+#define HALFSPACE_REF_GEOMETRY_CLIP_HPP_
 
 #include <glm/glm.hpp>
 #include <vector>
@@ -25,4 +25,4 @@ bool outside_one(const std::vector<ClipVertex>& polygon, const std::vector<ClipP
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_CLIP_HPP_
+#endif  // HALFSPACE_REF_GEOMETRY_CLIP_HPP_

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/distant_lighting.hpp"
+#include "ref/geometry/distant_lighting.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 #include <map>
 #include <tuple>
 
-#include "ref/geometry.hpp"
-#include "ref/lighting.hpp"
-#include "ref/snap.hpp"
+#include "ref/geometry/geometry.hpp"
+#include "ref/geometry/lighting.hpp"
+#include "ref/geometry/snap.hpp"
 
 namespace halfspace::ref {
 namespace {

@@ -2,15 +2,15 @@
 // Lighting with lights and viewer at infinity, as hardware lights: L and H of a light, and what a material makes of it, are
 // the same all over a frame. A point or spot light counts with the direction and the intensity that it has at the
 // centre of the scene's bounding box, and so does the viewer. In doubles.
-#ifndef HALFSPACE_REF_DISTANT_LIGHTING_HPP_
-#define HALFSPACE_REF_DISTANT_LIGHTING_HPP_
+#ifndef HALFSPACE_REF_GEOMETRY_DISTANT_LIGHTING_HPP_
+#define HALFSPACE_REF_GEOMETRY_DISTANT_LIGHTING_HPP_
 
 #include <array>
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "ref/scene.hpp"
-#include "ref/viewpoint.hpp"
+#include "ref/scene/scene.hpp"
+#include "ref/geometry/viewpoint.hpp"
 
 namespace halfspace::ref {
 
@@ -60,4 +60,4 @@ SnappedList distantly_lit(SnappedList list, const Geometry&, int most_squarings)
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_DISTANT_LIGHTING_HPP_
+#endif  // HALFSPACE_REF_GEOMETRY_DISTANT_LIGHTING_HPP_

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is drawn of a face: the triangles of the polygon that clipping has left of it, as they are divided and culled.
-#ifndef HALFSPACE_REF_FACE_PARTS_HPP_
-#define HALFSPACE_REF_FACE_PARTS_HPP_
+#ifndef HALFSPACE_REF_GEOMETRY_FACE_PARTS_HPP_
+#define HALFSPACE_REF_GEOMETRY_FACE_PARTS_HPP_
 
 #include <array>
 #include <vector>
 
-#include "ref/clip.hpp"
-#include "ref/projection.hpp"
+#include "ref/geometry/clip.hpp"
+#include "ref/geometry/projection.hpp"
 
 namespace halfspace::ref {
 
@@ -31,4 +31,4 @@ void face_parts(const std::vector<ClipVertex>& polygon, bool two_sided, const Vi
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_FACE_PARTS_HPP_
+#endif  // HALFSPACE_REF_GEOMETRY_FACE_PARTS_HPP_

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/geometry.hpp"
+#include "ref/geometry/geometry.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "ref/error.hpp"
-#include "ref/face_parts.hpp"
+#include "ref/geometry/face_parts.hpp"
 
 namespace halfspace::ref {
 

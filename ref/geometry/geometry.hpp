@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // The geometry stage: from a scene to the triangles of a frame. Positions come first; lighting is asked for triangle by
 // triangle, so that it can wait until a triangle has turned out visible (deferred lighting).
-#ifndef HALFSPACE_REF_GEOMETRY_HPP_
-#define HALFSPACE_REF_GEOMETRY_HPP_
+#ifndef HALFSPACE_REF_GEOMETRY_GEOMETRY_HPP_
+#define HALFSPACE_REF_GEOMETRY_GEOMETRY_HPP_
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
-#include "ref/clip.hpp"
-#include "ref/lighting.hpp"
-#include "ref/projection.hpp"
-#include "ref/scene.hpp"
-#include "ref/triangle_list.hpp"
-#include "ref/viewpoint.hpp"
+#include "ref/geometry/clip.hpp"
+#include "ref/geometry/lighting.hpp"
+#include "ref/geometry/projection.hpp"
+#include "ref/scene/scene.hpp"
+#include "ref/geometry/triangle_list.hpp"
+#include "ref/geometry/viewpoint.hpp"
 
 namespace halfspace::ref {
 
@@ -81,4 +81,4 @@ TriangleList project(const Scene&, const View&);
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_GEOMETRY_HPP_
+#endif  // HALFSPACE_REF_GEOMETRY_GEOMETRY_HPP_

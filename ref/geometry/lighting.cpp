@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/lighting.hpp"
+#include "ref/geometry/lighting.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#ifndef HALFSPACE_REF_LIGHTING_HPP_
-#define HALFSPACE_REF_LIGHTING_HPP_
+#ifndef HALFSPACE_REF_GEOMETRY_LIGHTING_HPP_
+#define HALFSPACE_REF_GEOMETRY_LIGHTING_HPP_
 
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "ref/scene.hpp"
-#include "ref/viewpoint.hpp"
+#include "ref/scene/scene.hpp"
+#include "ref/geometry/viewpoint.hpp"
 
 namespace halfspace::ref {
 
@@ -44,4 +44,4 @@ glm::dvec3 phong(const SurfacePoint&, const Material&, const glm::dvec3& ambient
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_LIGHTING_HPP_
+#endif  // HALFSPACE_REF_GEOMETRY_LIGHTING_HPP_

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/projection.hpp"
+#include "ref/geometry/projection.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "ref/plane.hpp"
-#include "ref/snap.hpp"
+#include "ref/raster/plane.hpp"
+#include "ref/geometry/snap.hpp"
 
 namespace halfspace::ref {
 namespace {

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // From a point of the scene to a point of the frame. Whoever follows points over time takes the same steps as the
 // geometry stage, so that both have the same bits.
-#ifndef HALFSPACE_REF_PROJECTION_HPP_
-#define HALFSPACE_REF_PROJECTION_HPP_
+#ifndef HALFSPACE_REF_GEOMETRY_PROJECTION_HPP_
+#define HALFSPACE_REF_GEOMETRY_PROJECTION_HPP_
 
 #include <array>
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "ref/clip.hpp"
-#include "ref/triangle_list.hpp"
-#include "ref/viewpoint.hpp"
+#include "ref/geometry/clip.hpp"
+#include "ref/geometry/triangle_list.hpp"
+#include "ref/geometry/viewpoint.hpp"
 
 namespace halfspace::ref {
 
@@ -37,4 +37,4 @@ bool faces_viewer(const std::array<Vertex, 3>&, const View&);
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_PROJECTION_HPP_
+#endif  // HALFSPACE_REF_GEOMETRY_PROJECTION_HPP_

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/snap.hpp"
+#include "ref/geometry/snap.hpp"
 
 #include <fmt/format.h>
 

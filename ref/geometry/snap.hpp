@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // From double to the integers that the rasterizer works on.
-#ifndef HALFSPACE_REF_SNAP_HPP_
-#define HALFSPACE_REF_SNAP_HPP_
+#ifndef HALFSPACE_REF_GEOMETRY_SNAP_HPP_
+#define HALFSPACE_REF_GEOMETRY_SNAP_HPP_
 
 #include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "ref/triangle_list.hpp"
+#include "ref/geometry/triangle_list.hpp"
 
 namespace halfspace::ref {
 
@@ -69,4 +69,4 @@ TriangleList unsnap(const SnappedList&);
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_SNAP_HPP_
+#endif  // HALFSPACE_REF_GEOMETRY_SNAP_HPP_

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/surface.hpp"
+#include "ref/geometry/surface.hpp"
 
 #include <optional>
 
-#include "ref/distant_lighting.hpp"
-#include "ref/plane.hpp"
+#include "ref/geometry/distant_lighting.hpp"
+#include "ref/raster/plane.hpp"
 
 namespace halfspace::ref {
 namespace {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // What triangles look like: asked for triangle by triangle and pixel by pixel, so that it can be asked late, and counted.
-#ifndef HALFSPACE_REF_SURFACE_HPP_
-#define HALFSPACE_REF_SURFACE_HPP_
+#ifndef HALFSPACE_REF_GEOMETRY_SURFACE_HPP_
+#define HALFSPACE_REF_GEOMETRY_SURFACE_HPP_
 
 #include <array>
 #include <cstdint>
 #include <memory>
 
-#include "ref/geometry.hpp"
-#include "ref/plane.hpp"
-#include "ref/snap.hpp"
+#include "ref/geometry/geometry.hpp"
+#include "ref/raster/plane.hpp"
+#include "ref/geometry/snap.hpp"
 
 namespace halfspace::ref {
 
@@ -52,4 +52,4 @@ std::unique_ptr<Surface> textured_surface(std::unique_ptr<Surface> lit, const Ge
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_SURFACE_HPP_
+#endif  // HALFSPACE_REF_GEOMETRY_SURFACE_HPP_

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/triangle_list.hpp"
+#include "ref/geometry/triangle_list.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "ref/error.hpp"
-#include "ref/input_file.hpp"
+#include "ref/scene/input_file.hpp"
 
 namespace halfspace::ref {
 namespace {

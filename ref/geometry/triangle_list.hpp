@@ -7,8 +7,8 @@
 //   t x y z r g b  x y z r g b  x y z r g b              one a triangle
 //
 // Triangles are numbered from 1 in the order of the file.
-#ifndef HALFSPACE_REF_TRIANGLE_LIST_HPP_
-#define HALFSPACE_REF_TRIANGLE_LIST_HPP_
+#ifndef HALFSPACE_REF_GEOMETRY_TRIANGLE_LIST_HPP_
+#define HALFSPACE_REF_GEOMETRY_TRIANGLE_LIST_HPP_
 
 #include <array>
 #include <cstdint>
@@ -44,4 +44,4 @@ void write_tri(std::ostream&, const TriangleList&);
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_TRIANGLE_LIST_HPP_
+#endif  // HALFSPACE_REF_GEOMETRY_TRIANGLE_LIST_HPP_

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/viewpoint.hpp"
+#include "ref/geometry/viewpoint.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#ifndef HALFSPACE_REF_VIEWPOINT_HPP_
-#define HALFSPACE_REF_VIEWPOINT_HPP_
+#ifndef HALFSPACE_REF_GEOMETRY_VIEWPOINT_HPP_
+#define HALFSPACE_REF_GEOMETRY_VIEWPOINT_HPP_
 
 #include <glm/glm.hpp>
 
-#include "ref/scene.hpp"
+#include "ref/scene/scene.hpp"
 
 namespace halfspace::ref {
 
@@ -34,4 +34,4 @@ DepthPlanes joined(const DepthPlanes&, const DepthPlanes&);
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_VIEWPOINT_HPP_
+#endif  // HALFSPACE_REF_GEOMETRY_VIEWPOINT_HPP_

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/compensate.hpp"
+#include "ref/motion/compensate.hpp"
 
 #include <algorithm>
 #include <cmath>

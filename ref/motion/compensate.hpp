@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Motion compensation: the pixels of a frame between two keys, fetched from the keys along the motion field.
-#ifndef HALFSPACE_REF_COMPENSATE_HPP_
-#define HALFSPACE_REF_COMPENSATE_HPP_
+#ifndef HALFSPACE_REF_MOTION_COMPENSATE_HPP_
+#define HALFSPACE_REF_MOTION_COMPENSATE_HPP_
 
 #include <array>
 #include <cstdint>
@@ -9,8 +9,8 @@
 #include <optional>
 #include <vector>
 
-#include "ref/motion_field.hpp"
-#include "ref/quality.hpp"
+#include "ref/motion/motion_field.hpp"
+#include "ref/motion/quality.hpp"
 
 namespace halfspace::ref {
 
@@ -70,4 +70,4 @@ Compensated compensate(const OfKeys<KeyFrame>&, const MotionField&, const Identi
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_COMPENSATE_HPP_
+#endif  // HALFSPACE_REF_MOTION_COMPENSATE_HPP_

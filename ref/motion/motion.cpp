@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/motion.hpp"
+#include "ref/motion/motion.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "ref/error.hpp"
-#include "ref/snap.hpp"
+#include "ref/geometry/snap.hpp"
 
 namespace halfspace::ref {
 namespace {

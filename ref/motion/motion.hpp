@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Motion of the faces of a scene between two key frames, as a frame between them sees it. docs/frames.md has the rules.
-#ifndef HALFSPACE_REF_MOTION_HPP_
-#define HALFSPACE_REF_MOTION_HPP_
+#ifndef HALFSPACE_REF_MOTION_MOTION_HPP_
+#define HALFSPACE_REF_MOTION_MOTION_HPP_
 
 #include <array>
 #include <cstdint>
@@ -9,8 +9,8 @@
 #include <optional>
 #include <vector>
 
-#include "ref/geometry.hpp"
-#include "ref/scene.hpp"
+#include "ref/geometry/geometry.hpp"
+#include "ref/scene/scene.hpp"
 
 namespace halfspace::ref {
 
@@ -105,4 +105,4 @@ OfKeys<std::optional<std::array<FixedVector, 3>>> fixed_vectors(const Between&, 
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_MOTION_HPP_
+#endif  // HALFSPACE_REF_MOTION_MOTION_HPP_

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/motion_field.hpp"
+#include "ref/motion/motion_field.hpp"
 
-#include "ref/plane.hpp"
-#include "ref/raster.hpp"
+#include "ref/raster/plane.hpp"
+#include "ref/raster/raster.hpp"
 
 namespace halfspace::ref {
 namespace {

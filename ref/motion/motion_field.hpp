@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // The motion buffer of the reference: for each pixel of a frame between two keys the face that it shows, and where in
 // either key the same point of that face is. Triangles go through the renderer's own snapping and rasterizer.
-#ifndef HALFSPACE_REF_MOTION_FIELD_HPP_
-#define HALFSPACE_REF_MOTION_FIELD_HPP_
+#ifndef HALFSPACE_REF_MOTION_MOTION_FIELD_HPP_
+#define HALFSPACE_REF_MOTION_MOTION_FIELD_HPP_
 
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
 #include <vector>
 
-#include "ref/motion.hpp"
-#include "ref/snap.hpp"
+#include "ref/motion/motion.hpp"
+#include "ref/geometry/snap.hpp"
 
 namespace halfspace::ref {
 
@@ -39,4 +39,4 @@ FixedMotionField motion_field(const Between&, const RasterFormat&, const VectorF
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_MOTION_FIELD_HPP_
+#endif  // HALFSPACE_REF_MOTION_MOTION_FIELD_HPP_

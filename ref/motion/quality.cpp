@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/quality.hpp"
+#include "ref/motion/quality.hpp"
 
 #include <algorithm>
 #include <cmath>

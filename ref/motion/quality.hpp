@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // How far a picture is from another, as frame-rate up-conversion measures it.
-#ifndef HALFSPACE_REF_QUALITY_HPP_
-#define HALFSPACE_REF_QUALITY_HPP_
+#ifndef HALFSPACE_REF_MOTION_QUALITY_HPP_
+#define HALFSPACE_REF_MOTION_QUALITY_HPP_
 
 #include <array>
 #include <cstdint>
@@ -56,4 +56,4 @@ class MeanQuality {
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_QUALITY_HPP_
+#endif  // HALFSPACE_REF_MOTION_QUALITY_HPP_

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/relight.hpp"
+#include "ref/motion/relight.hpp"
 
-#include "ref/plane.hpp"
+#include "ref/raster/plane.hpp"
 
 namespace halfspace::ref {
 namespace {

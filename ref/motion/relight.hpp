@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the light changes on a surface from a key frame to the frame between.
-#ifndef HALFSPACE_REF_RELIGHT_HPP_
-#define HALFSPACE_REF_RELIGHT_HPP_
+#ifndef HALFSPACE_REF_MOTION_RELIGHT_HPP_
+#define HALFSPACE_REF_MOTION_RELIGHT_HPP_
 
-#include "ref/compensate.hpp"
-#include "ref/geometry.hpp"
+#include "ref/motion/compensate.hpp"
+#include "ref/geometry/geometry.hpp"
 
 namespace halfspace::ref {
 
@@ -19,4 +19,4 @@ LightPlanes light_planes(const Between& between, const MotionField&, const Raste
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_RELIGHT_HPP_
+#endif  // HALFSPACE_REF_MOTION_RELIGHT_HPP_

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/up_convert.hpp"
+#include "ref/motion/up_convert.hpp"
 
 #include <utility>
 
 #include "ref/error.hpp"
-#include "ref/static_instances.hpp"
+#include "ref/objects/static_instances.hpp"
 
 namespace halfspace::ref {
 namespace {

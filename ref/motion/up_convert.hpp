@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Frame-rate up-conversion: key frames are drawn, the frames between them made of these.
-#ifndef HALFSPACE_REF_UP_CONVERT_HPP_
-#define HALFSPACE_REF_UP_CONVERT_HPP_
+#ifndef HALFSPACE_REF_MOTION_UP_CONVERT_HPP_
+#define HALFSPACE_REF_MOTION_UP_CONVERT_HPP_
 
 #include <memory>
 #include <optional>
 
-#include "ref/drawn_frame.hpp"
-#include "ref/relight.hpp"
+#include "ref/raster/drawn_frame.hpp"
+#include "ref/motion/relight.hpp"
 
 namespace halfspace::ref {
 
@@ -74,4 +74,4 @@ const Colours& repeated(const Colours& first, const Colours& second, double a);
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_UP_CONVERT_HPP_
+#endif  // HALFSPACE_REF_MOTION_UP_CONVERT_HPP_

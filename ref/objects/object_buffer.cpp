@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/object_buffer.hpp"
+#include "ref/objects/object_buffer.hpp"
 
 namespace halfspace::ref {
 

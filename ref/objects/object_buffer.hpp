@@ -6,8 +6,8 @@
 // one object, the first drawn. That is the depth test less, first drawn wins, of a frame that draws all objects in
 // order; and as a least element does not depend on the order, objects may come in any, come again, and be spread over
 // buffers that are merged.
-#ifndef HALFSPACE_REF_OBJECT_BUFFER_HPP_
-#define HALFSPACE_REF_OBJECT_BUFFER_HPP_
+#ifndef HALFSPACE_REF_OBJECTS_OBJECT_BUFFER_HPP_
+#define HALFSPACE_REF_OBJECTS_OBJECT_BUFFER_HPP_
 
 #include <algorithm>
 #include <array>
@@ -77,4 +77,4 @@ class ObjectBuffer {
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_OBJECT_BUFFER_HPP_
+#endif  // HALFSPACE_REF_OBJECTS_OBJECT_BUFFER_HPP_

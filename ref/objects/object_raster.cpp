@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/object_raster.hpp"
+#include "ref/objects/object_raster.hpp"
 
 #include <algorithm>
 #include <cmath>

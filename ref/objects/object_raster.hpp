@@ -2,17 +2,17 @@
 // Draws one instance of a scene at a time, and keeps nothing of it: a scene of any number of instances needs the
 // memory of the largest mesh. Its triangles are those of Geometry, snapped, and its fragments those of render(), to
 // the bit.
-#ifndef HALFSPACE_REF_OBJECT_RASTER_HPP_
-#define HALFSPACE_REF_OBJECT_RASTER_HPP_
+#ifndef HALFSPACE_REF_OBJECTS_OBJECT_RASTER_HPP_
+#define HALFSPACE_REF_OBJECTS_OBJECT_RASTER_HPP_
 
 #include <cstdint>
 #include <vector>
 
-#include "ref/face_parts.hpp"
-#include "ref/object_buffer.hpp"
-#include "ref/scene.hpp"
-#include "ref/snap.hpp"
-#include "ref/spans.hpp"
+#include "ref/geometry/face_parts.hpp"
+#include "ref/objects/object_buffer.hpp"
+#include "ref/scene/scene.hpp"
+#include "ref/geometry/snap.hpp"
+#include "ref/raster/spans.hpp"
 
 namespace halfspace::ref {
 
@@ -151,4 +151,4 @@ Drawn ObjectRaster::fragments(std::uint32_t instance, const Box& region, Visit&&
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_OBJECT_RASTER_HPP_
+#endif  // HALFSPACE_REF_OBJECTS_OBJECT_RASTER_HPP_

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/object_shader.hpp"
+#include "ref/objects/object_shader.hpp"
 
 #include <cmath>
 
-#include "ref/lighting.hpp"
-#include "ref/object_raster.hpp"
+#include "ref/geometry/lighting.hpp"
+#include "ref/objects/object_raster.hpp"
 
 namespace halfspace::ref {
 

@@ -2,18 +2,18 @@
 // The colour of a pixel of which the object and its triangle are known: geometry, lighting and the colour planes of
 // that one triangle, so that what is not seen costs nothing. Colours are those of render(snap(project(scene))), to
 // the bit.
-#ifndef HALFSPACE_REF_OBJECT_SHADER_HPP_
-#define HALFSPACE_REF_OBJECT_SHADER_HPP_
+#ifndef HALFSPACE_REF_OBJECTS_OBJECT_SHADER_HPP_
+#define HALFSPACE_REF_OBJECTS_OBJECT_SHADER_HPP_
 
 #include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
-#include "ref/object_buffer.hpp"
-#include "ref/plane.hpp"
-#include "ref/projection.hpp"
-#include "ref/scene.hpp"
+#include "ref/objects/object_buffer.hpp"
+#include "ref/raster/plane.hpp"
+#include "ref/geometry/projection.hpp"
+#include "ref/scene/scene.hpp"
 
 namespace halfspace::ref {
 
@@ -46,4 +46,4 @@ class ObjectShader {
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_OBJECT_SHADER_HPP_
+#endif  // HALFSPACE_REF_OBJECTS_OBJECT_SHADER_HPP_

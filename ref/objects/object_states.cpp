@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/object_states.hpp"
+#include "ref/objects/object_states.hpp"
 
 #include <fmt/format.h>
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Static objects buffers: which objects move and which stand still, and what the S-buffers show or have to be drawn
 // again for. The same whoever draws.
-#ifndef HALFSPACE_REF_OBJECT_STATES_HPP_
-#define HALFSPACE_REF_OBJECT_STATES_HPP_
+#ifndef HALFSPACE_REF_OBJECTS_OBJECT_STATES_HPP_
+#define HALFSPACE_REF_OBJECTS_OBJECT_STATES_HPP_
 
 #include <cstdint>
 #include <vector>
 
-#include "ref/object_buffer.hpp"
-#include "ref/scene.hpp"
-#include "ref/viewpoint.hpp"
+#include "ref/objects/object_buffer.hpp"
+#include "ref/scene/scene.hpp"
+#include "ref/geometry/viewpoint.hpp"
 
 namespace halfspace::ref {
 
@@ -80,4 +80,4 @@ class ObjectStates {
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_OBJECT_STATES_HPP_
+#endif  // HALFSPACE_REF_OBJECTS_OBJECT_STATES_HPP_

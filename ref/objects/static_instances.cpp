@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/static_instances.hpp"
+#include "ref/objects/static_instances.hpp"
 
 #include <algorithm>
 #include <functional>
 #include <map>
 #include <tuple>
 
-#include "ref/viewpoint.hpp"
+#include "ref/geometry/viewpoint.hpp"
 
 namespace halfspace::ref {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // What stands still between two times of a scene, and so looks the same in both.
-#ifndef HALFSPACE_REF_STATIC_INSTANCES_HPP_
-#define HALFSPACE_REF_STATIC_INSTANCES_HPP_
+#ifndef HALFSPACE_REF_OBJECTS_STATIC_INSTANCES_HPP_
+#define HALFSPACE_REF_OBJECTS_STATIC_INSTANCES_HPP_
 
 #include <cstdint>
 #include <vector>
 
-#include "ref/scene.hpp"
+#include "ref/scene/scene.hpp"
 
 namespace halfspace::ref {
 
@@ -29,4 +29,4 @@ DepthPlanes held_planes(const std::vector<const Scene*>& times, double aspect);
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_STATIC_INSTANCES_HPP_
+#endif  // HALFSPACE_REF_OBJECTS_STATIC_INSTANCES_HPP_

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/static_objects.hpp"
+#include "ref/objects/static_objects.hpp"
 
 #include <algorithm>
 

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Static objects buffers: what stands still is drawn once into S-buffers, what moves each frame into the D-buffer,
 // and the frame is the nearer of both. docs/static.md has the rules, and why the frame is that of drawing everything.
-#ifndef HALFSPACE_REF_STATIC_OBJECTS_HPP_
-#define HALFSPACE_REF_STATIC_OBJECTS_HPP_
+#ifndef HALFSPACE_REF_OBJECTS_STATIC_OBJECTS_HPP_
+#define HALFSPACE_REF_OBJECTS_STATIC_OBJECTS_HPP_
 
 #include <cstdint>
 #include <functional>
 #include <vector>
 
-#include "ref/object_buffer.hpp"
-#include "ref/object_raster.hpp"
-#include "ref/object_shader.hpp"
-#include "ref/object_states.hpp"
-#include "ref/scene.hpp"
+#include "ref/objects/object_buffer.hpp"
+#include "ref/objects/object_raster.hpp"
+#include "ref/objects/object_shader.hpp"
+#include "ref/objects/object_states.hpp"
+#include "ref/scene/scene.hpp"
 
 namespace halfspace::ref {
 
@@ -102,4 +102,4 @@ class AllObjects {
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_STATIC_OBJECTS_HPP_
+#endif  // HALFSPACE_REF_OBJECTS_STATIC_OBJECTS_HPP_

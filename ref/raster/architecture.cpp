@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/architecture.hpp"
+#include "ref/raster/architecture.hpp"
 
 #include <algorithm>
 
-#include "ref/index_pool.hpp"
-#include "ref/spans.hpp"
+#include "ref/raster/index_pool.hpp"
+#include "ref/raster/spans.hpp"
 
 namespace halfspace::ref {
 namespace {

@@ -2,17 +2,17 @@
 // The four architectures that index rendering compares: alpha, traditional; beta, deferred shading with a wide pixel buffer;
 // gamma, index rendering without a Z-buffer, the depth of what is stored computed again from TdbV; delta, index rendering with
 // a Z-buffer. They draw the same picture, and differ in what they light, read, write and store.
-#ifndef HALFSPACE_REF_ARCHITECTURE_HPP_
-#define HALFSPACE_REF_ARCHITECTURE_HPP_
+#ifndef HALFSPACE_REF_RASTER_ARCHITECTURE_HPP_
+#define HALFSPACE_REF_RASTER_ARCHITECTURE_HPP_
 
 #include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "ref/index_pool.hpp"
-#include "ref/snap.hpp"
-#include "ref/surface.hpp"
+#include "ref/raster/index_pool.hpp"
+#include "ref/geometry/snap.hpp"
+#include "ref/geometry/surface.hpp"
 
 namespace halfspace::ref {
 
@@ -70,4 +70,4 @@ Drawing draw(const SnappedList& list, Surface& surface, Architecture, bool defer
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_ARCHITECTURE_HPP_
+#endif  // HALFSPACE_REF_RASTER_ARCHITECTURE_HPP_

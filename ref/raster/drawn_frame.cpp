@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/drawn_frame.hpp"
+#include "ref/raster/drawn_frame.hpp"
 
 #include <algorithm>
 #include <array>
 #include <map>
 #include <numeric>
 
-#include "ref/architecture.hpp"
-#include "ref/ideal.hpp"
+#include "ref/raster/architecture.hpp"
+#include "ref/raster/ideal.hpp"
 
 namespace halfspace::ref {
 namespace {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Frames as the reference draws them, and key frames made of them.
-#ifndef HALFSPACE_REF_DRAWN_FRAME_HPP_
-#define HALFSPACE_REF_DRAWN_FRAME_HPP_
+#ifndef HALFSPACE_REF_RASTER_DRAWN_FRAME_HPP_
+#define HALFSPACE_REF_RASTER_DRAWN_FRAME_HPP_
 
 #include <cstdint>
 #include <optional>
 #include <vector>
 
-#include "ref/compensate.hpp"
-#include "ref/surface.hpp"
+#include "ref/motion/compensate.hpp"
+#include "ref/geometry/surface.hpp"
 
 namespace halfspace::ref {
 
@@ -41,4 +41,4 @@ Identities surface_identities(const Scene&);
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_DRAWN_FRAME_HPP_
+#endif  // HALFSPACE_REF_RASTER_DRAWN_FRAME_HPP_

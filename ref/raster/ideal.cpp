@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/ideal.hpp"
+#include "ref/raster/ideal.hpp"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "ref/error.hpp"
-#include "ref/plane.hpp"
-#include "ref/snap.hpp"
+#include "ref/raster/plane.hpp"
+#include "ref/geometry/snap.hpp"
 
 namespace halfspace::ref {
 namespace {

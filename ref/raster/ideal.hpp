@@ -5,15 +5,15 @@
 // doubles that the geometry computes from 256 pixels on; on it coverage is exact, with the top-left rule, so that no centre
 // on a shared edge is lost or drawn twice. Depth and colour are weighted means of the vertices, in double: the weights are
 // exact edge functions, none negative, so nothing cancels, on slivers neither.
-#ifndef HALFSPACE_REF_IDEAL_HPP_
-#define HALFSPACE_REF_IDEAL_HPP_
+#ifndef HALFSPACE_REF_RASTER_IDEAL_HPP_
+#define HALFSPACE_REF_RASTER_IDEAL_HPP_
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
-#include "ref/geometry.hpp"
-#include "ref/triangle_list.hpp"
+#include "ref/geometry/geometry.hpp"
+#include "ref/geometry/triangle_list.hpp"
 
 namespace halfspace::ref {
 
@@ -42,4 +42,4 @@ IdealFrame ideal(const TriangleList&);
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_IDEAL_HPP_
+#endif  // HALFSPACE_REF_RASTER_IDEAL_HPP_

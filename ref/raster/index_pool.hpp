@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which index a triangle has, where those of invisible triangles are used again (index rendering).
-#ifndef HALFSPACE_REF_INDEX_POOL_HPP_
-#define HALFSPACE_REF_INDEX_POOL_HPP_
+#ifndef HALFSPACE_REF_RASTER_INDEX_POOL_HPP_
+#define HALFSPACE_REF_RASTER_INDEX_POOL_HPP_
 
 #include <fmt/format.h>
 
@@ -59,4 +59,4 @@ class IndexPool {
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_INDEX_POOL_HPP_
+#endif  // HALFSPACE_REF_RASTER_INDEX_POOL_HPP_

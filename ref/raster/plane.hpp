@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // A triangle put in order, and the exact plane of an attribute over it.
-#ifndef HALFSPACE_REF_PLANE_HPP_
-#define HALFSPACE_REF_PLANE_HPP_
+#ifndef HALFSPACE_REF_RASTER_PLANE_HPP_
+#define HALFSPACE_REF_RASTER_PLANE_HPP_
 
 #include <array>
 #include <cstdint>
 #include <utility>
 
-#include "ref/snap.hpp"
+#include "ref/geometry/snap.hpp"
 
 namespace halfspace::ref {
 
@@ -90,4 +90,4 @@ struct Plane {
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_PLANE_HPP_
+#endif  // HALFSPACE_REF_RASTER_PLANE_HPP_

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/raster.hpp"
+#include "ref/raster/raster.hpp"
 
-#include "ref/spans.hpp"
+#include "ref/raster/spans.hpp"
 
 namespace halfspace::ref {
 namespace {

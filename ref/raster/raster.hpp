@@ -5,14 +5,14 @@
 // colour are planes over the snapped vertices, kept as exact rationals until the last step. Visibility is
 // decided first, into index and depth; colour is taken at scan-out from the triangle whose index stands in
 // the pixel.
-#ifndef HALFSPACE_REF_RASTER_HPP_
-#define HALFSPACE_REF_RASTER_HPP_
+#ifndef HALFSPACE_REF_RASTER_RASTER_HPP_
+#define HALFSPACE_REF_RASTER_RASTER_HPP_
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
-#include "ref/snap.hpp"
+#include "ref/geometry/snap.hpp"
 
 namespace halfspace::ref {
 
@@ -37,4 +37,4 @@ bool covers(const SnappedTriangle&, int subpixel_bits, int px, int py);
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_RASTER_HPP_
+#endif  // HALFSPACE_REF_RASTER_RASTER_HPP_

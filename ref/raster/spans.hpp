@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The covered pixels of a triangle, a span a row: a sliver costs rows and not the area of its bounding box.
-#ifndef HALFSPACE_REF_SPANS_HPP_
-#define HALFSPACE_REF_SPANS_HPP_
+#ifndef HALFSPACE_REF_RASTER_SPANS_HPP_
+#define HALFSPACE_REF_RASTER_SPANS_HPP_
 
 #include <algorithm>
 
-#include "ref/plane.hpp"
+#include "ref/raster/plane.hpp"
 
 namespace halfspace::ref {
 
@@ -67,4 +67,4 @@ class Spans {
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_SPANS_HPP_
+#endif  // HALFSPACE_REF_RASTER_SPANS_HPP_

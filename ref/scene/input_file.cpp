@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/input_file.hpp"
+#include "ref/scene/input_file.hpp"
 
 #include <fmt/format.h>
 

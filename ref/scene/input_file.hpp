@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#ifndef HALFSPACE_REF_INPUT_FILE_HPP_
-#define HALFSPACE_REF_INPUT_FILE_HPP_
+#ifndef HALFSPACE_REF_SCENE_INPUT_FILE_HPP_
+#define HALFSPACE_REF_SCENE_INPUT_FILE_HPP_
 
 #include <string>
 
@@ -17,4 +17,4 @@ std::string extension_of(const std::string& path);
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_INPUT_FILE_HPP_
+#endif  // HALFSPACE_REF_SCENE_INPUT_FILE_HPP_

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/pose.hpp"
+#include "ref/scene/pose.hpp"
 
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>

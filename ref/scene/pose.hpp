@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#ifndef HALFSPACE_REF_POSE_HPP_
-#define HALFSPACE_REF_POSE_HPP_
+#ifndef HALFSPACE_REF_SCENE_POSE_HPP_
+#define HALFSPACE_REF_SCENE_POSE_HPP_
 
 #include <assimp/scene.h>
 
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "ref/scene.hpp"
+#include "ref/scene/scene.hpp"
 
 namespace halfspace::ref {
 
@@ -49,4 +49,4 @@ void skin(const aiMesh&, const Pose&, const glm::dmat4& of_node, Mesh* mesh);
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_POSE_HPP_
+#endif  // HALFSPACE_REF_SCENE_POSE_HPP_

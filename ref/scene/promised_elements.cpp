@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/promised_elements.hpp"
+#include "ref/scene/promised_elements.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "ref/error.hpp"
-#include "ref/input_file.hpp"
+#include "ref/scene/input_file.hpp"
 
 namespace halfspace::ref {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/scene.hpp"
+#include "ref/scene/scene.hpp"
 
 #include <fmt/format.h>
 
-#include "ref/animated_scenes.hpp"
-#include "ref/builtin_scenes.hpp"
+#include "ref/builtin/animated_scenes.hpp"
+#include "ref/builtin/builtin_scenes.hpp"
 #include "ref/error.hpp"
-#include "ref/scene_file.hpp"
+#include "ref/scene/scene_file.hpp"
 
 namespace halfspace::ref {
 namespace {

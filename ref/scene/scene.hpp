@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#ifndef HALFSPACE_REF_SCENE_HPP_
-#define HALFSPACE_REF_SCENE_HPP_
+#ifndef HALFSPACE_REF_SCENE_SCENE_HPP_
+#define HALFSPACE_REF_SCENE_SCENE_HPP_
 
 #include <array>
 #include <cstdint>
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "ref/texture.hpp"
+#include "ref/scene/texture.hpp"
 
 namespace halfspace::ref {
 
@@ -89,4 +89,4 @@ std::vector<std::string> animated_scene_names();  // built in as well
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_SCENE_HPP_
+#endif  // HALFSPACE_REF_SCENE_SCENE_HPP_

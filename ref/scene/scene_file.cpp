@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/scene_file.hpp"
+#include "ref/scene/scene_file.hpp"
 
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -12,10 +12,10 @@
 #include <cstring>
 
 #include "ref/error.hpp"
-#include "ref/input_file.hpp"
-#include "ref/pose.hpp"
-#include "ref/promised_elements.hpp"
-#include "ref/scene_file_parts.hpp"
+#include "ref/scene/input_file.hpp"
+#include "ref/scene/pose.hpp"
+#include "ref/scene/promised_elements.hpp"
+#include "ref/scene/scene_file_parts.hpp"
 
 namespace halfspace::ref {
 namespace {

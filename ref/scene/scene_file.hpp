@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#ifndef HALFSPACE_REF_SCENE_FILE_HPP_
-#define HALFSPACE_REF_SCENE_FILE_HPP_
+#ifndef HALFSPACE_REF_SCENE_SCENE_FILE_HPP_
+#define HALFSPACE_REF_SCENE_SCENE_FILE_HPP_
 
 #include <string>
 
-#include "ref/scene.hpp"
+#include "ref/scene/scene.hpp"
 
 namespace halfspace::ref {
 
@@ -14,4 +14,4 @@ Scene read_scene_file(const std::string& path, double time_seconds, bool texture
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_SCENE_FILE_HPP_
+#endif  // HALFSPACE_REF_SCENE_SCENE_FILE_HPP_

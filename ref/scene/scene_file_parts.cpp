@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/scene_file_parts.hpp"
+#include "ref/scene/scene_file_parts.hpp"
 
 #include <algorithm>
 #include <cmath>

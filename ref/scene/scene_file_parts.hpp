@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // From Assimp's materials, cameras and lights to ours.
-#ifndef HALFSPACE_REF_SCENE_FILE_PARTS_HPP_
-#define HALFSPACE_REF_SCENE_FILE_PARTS_HPP_
+#ifndef HALFSPACE_REF_SCENE_SCENE_FILE_PARTS_HPP_
+#define HALFSPACE_REF_SCENE_SCENE_FILE_PARTS_HPP_
 
 #include <assimp/scene.h>
 
@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "ref/pose.hpp"
-#include "ref/scene.hpp"
+#include "ref/scene/pose.hpp"
+#include "ref/scene/scene.hpp"
 
 namespace halfspace::ref {
 
@@ -33,4 +33,4 @@ void add_lights(const aiScene&, const Pose&, Scene*);
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_SCENE_FILE_PARTS_HPP_
+#endif  // HALFSPACE_REF_SCENE_SCENE_FILE_PARTS_HPP_

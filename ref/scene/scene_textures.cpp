@@ -9,7 +9,7 @@
 #include <map>
 
 #include "ref/error.hpp"
-#include "ref/scene_file_parts.hpp"
+#include "ref/scene/scene_file_parts.hpp"
 
 namespace halfspace::ref {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#ifndef HALFSPACE_REF_TEXTURE_HPP_
-#define HALFSPACE_REF_TEXTURE_HPP_
+#ifndef HALFSPACE_REF_SCENE_TEXTURE_HPP_
+#define HALFSPACE_REF_SCENE_TEXTURE_HPP_
 
 #include <array>
 #include <cstdint>
@@ -34,4 +34,4 @@ glm::dvec3 sample(const Texture&, const glm::dvec2& uv, TextureFilter, std::uint
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_TEXTURE_HPP_
+#endif  // HALFSPACE_REF_SCENE_TEXTURE_HPP_

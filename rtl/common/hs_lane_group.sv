@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The next triangle of a stamp whose triangles are taken one after the other: that of the first
-// lane that waits, and all lanes of it that wait (kernel: next_group in hls/lanes.hpp).
+// lane that waits, and all lanes of it that wait (kernel: next_group in hls/formats/lanes.hpp).
 module hs_lane_group #(
   parameter int unsigned Lanes = 4,
   localparam int unsigned IndexBits = hs_formats_pkg::IndexBits,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A plane at all pixels of a stamp: the upper ValueBits of c + dx·x + dy·y, modulo 2^PlaneBits
-// (kernel: plane_lanes in hls/lanes.hpp).
+// (kernel: plane_lanes in hls/formats/lanes.hpp).
 //
 // Interval 1, latency 5 cycles, of those in which en_i is 1. Two multipliers.
 module hs_plane_lanes #(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one reciprocal of a triangle, after hls/reciprocal.hpp:
+// The one reciprocal of a triangle, after hls/setup/reciprocal.hpp:
 //
 //   s = floor(log2 D),  R = floor(2^(r+s) / D + 1/2),  D >= 1
 //

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The reciprocal of a length from its square (kernel: hls/reciprocal_sqrt.hpp): normalization by
+// The reciprocal of a length from its square (kernel: hls/shade/reciprocal_sqrt.hpp): normalization by
 // pairs of bits, a line from a table, one rounding.
 //
 // Interval 1; shift_o 1 and root_o 4 cycles after length_i, of those in which en_i is 1. One

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // One channel of a key frame's pixels, weighted by columns, then by rows: exact (kernel:
-// filtered_channel in hls/key_filter.hpp).
+// filtered_channel in hls/motion/key_filter.hpp).
 //
 // Interval 1, latency 6, of cycles in which en_i is 1. Multipliers: 3 for two by two pixels, 15 for
 // four by four.

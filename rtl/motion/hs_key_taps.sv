@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The pixels that a filter takes of a key frame: which of them match, whether one of these has a
 // weight, and what stands for those of the inner four that do not (kernel: key_colour in
-// hls/motion_compensate.hpp, standing_tap and filtered_key in hls/key_filter.hpp).
+// hls/motion/motion_compensate.hpp, standing_tap and filtered_key in hls/motion/key_filter.hpp).
 //
 // Interval 1, latency 2, of cycles in which en_i is 1, which is their only stall.
 module hs_key_taps #(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The colours of the pixels of a frame in between, from two key frames (kernel:
-// hls/motion_compensate.hpp). A word is a pixel; words may come in any order.
+// hls/motion/motion_compensate.hpp). A word is a pixel; words may come in any order.
 //
 // Interval 1, while the caches of both keys hold the pixels that a word takes. Where one lacks a
 // tile, words wait for it, 1 + (8 / KeySide)² cycles; the two keys fetch at the same time.

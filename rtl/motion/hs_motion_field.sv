@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The motion field at scan-out (kernel: hls/motion_field.hpp): a word a covered pixel, in the order of
+// The motion field at scan-out (kernel: hls/motion/motion_field.hpp): a word a covered pixel, in the order of
 // scan, stamps in order and lanes in order. A frame whose last stamp covers nothing ends with a word
 // of face 0.
 //

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The planes of a triangle's places in the key frames, for TdbS, after hls/motion_setup.hpp: of each
+// The planes of a triangle's places in the key frames, for TdbS, after hls/motion/motion_setup.hpp: of each
 // key s, t, and with perspective q, and where colours are compared, of three differences, each group
 // through an hs_channel_planes of its own, side by side.
 //

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The vector of a pixel to one key frame (kernel: key_vector in hls/motion_field.hpp), from s, t, q of
+// The vector of a pixel to one key frame (kernel: key_vector in hls/motion/motion_field.hpp), from s, t, q of
 // its point there.
 //
 // Interval 1, latency 3 cycles, with perspective 8, of those in which en_i is 1. Stages: with

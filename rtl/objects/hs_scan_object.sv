@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Depth and object of each pixel at scan-out (kernel: hls/scan_object.hpp): the depth is what the
+// Depth and object of each pixel at scan-out (kernel: hls/objects/scan_object.hpp): the depth is what the
 // Z-buffer holds, the object that of the pixel's triangle in the object table. A pixel of the
 // background has the largest depth and object 0.
 //

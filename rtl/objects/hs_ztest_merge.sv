@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Z-test of two buffers against each other, stamp by stamp (kernel: hls/ztest_merge.hpp): what
+// The Z-test of two buffers against each other, stamp by stamp (kernel: hls/objects/ztest_merge.hpp): what
 // is stored, less the objects of a range, and what is drawn, whichever is nearer; at equal depth
 // the smaller number of an object. It finds the pixels of the range and the box of their stamps.
 //

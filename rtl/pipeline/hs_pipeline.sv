@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The composition: triangles in, pixels out (kernels: hls/pipeline.hpp).
+// The composition: triangles in, pixels out (kernels: hls/pipeline/pipeline.hpp).
 //
 //   triangle ─► triangle_setup ─setup─► raster_pineda ─stamp─► ztest_index ─► visible
 //                     │                                            ▼

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The Pineda edge-function rasterizer: the stamps of a triangle that hold a covered pixel, each
-// once (kernel: hls/raster_pineda.hpp, which explains the walk).
+// once (kernel: hls/raster/raster_pineda.hpp, which explains the walk).
 //
 // Interval: a visited stamp a cycle, an empty triangle one cycle, none between triangles. Latency
 // from a setup to its first stamp: 3 cycles and one stamp more, as each stamp waits for the next

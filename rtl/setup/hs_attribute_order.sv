@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Values of the vertices of a triangle, as given, in the order of its attributes (kernel:
-// vertex_order in hls/plane.hpp). Vertex 0 is in the most significant place.
+// vertex_order in hls/setup/plane.hpp). Vertex 0 is in the most significant place.
 module hs_attribute_order #(
   parameter int unsigned Bits  // of a vertex
 ) (

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bounding box of a triangle, cut to the frame, after pixel_range() of hls/triangle_setup.hpp:
+// The bounding box of a triangle, cut to the frame, after pixel_range() of hls/setup/triangle_setup.hpp:
 // the pixels whose centres lie in it, and where to look first in its top row: below vertex 0, which
 // is the topmost.
 //

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangle setup, first part, after edge_start() of hls/triangle_setup.hpp: the order of the
+// Triangle setup, first part, after edge_start() of hls/setup/triangle_setup.hpp: the order of the
 // vertices, D, the bounding box and the three edge functions, each of them measured from vertex 0,
 // where (x, y) is the way from the start to vertex 0:
 //

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The plane of an attribute over a triangle, after hls/plane.hpp:
+// The plane of an attribute over a triangle, after hls/setup/plane.hpp:
 //
 //   N_A = (v1 − v0)·dy2 − (v2 − v0)·dy1,  N_B = (v2 − v0)·dx1 − (v1 − v0)·dx2
 //   A = floor(N_A·R / 2^n + 1/2),  B = floor(N_B·R / 2^n + 1/2),  n = s + r − f − Fraction
@@ -48,7 +48,7 @@ module hs_plane_setup #(
 );
   localparam int unsigned DeltaBits = hs_formats_pkg::DeltaBits;
   localparam int unsigned SubpixelBits = hs_formats_pkg::SubpixelBits;
-  // |N| < 2^(b+c): depth_numerator and colour_numerator of hls/formats.hpp.
+  // |N| < 2^(b+c): depth_numerator and colour_numerator of hls/formats/formats.hpp.
   localparam int unsigned NumeratorBits = ValueBits + hs_formats_pkg::CoordBits + 1;
   localparam int unsigned StartBits = PlaneBits + SubpixelBits;
   localparam int unsigned WideBits = NumeratorBits > StartBits ? NumeratorBits : StartBits;

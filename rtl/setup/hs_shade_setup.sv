@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The colour planes of a triangle, for TdbS, after hls/shade_setup.hpp: red, green and blue through
+// The colour planes of a triangle, for TdbS, after hls/setup/shade_setup.hpp: red, green and blue through
 // hs_channel_planes.
 //
 // Interval: 24 cycles in low and 30 in middle and high; 3 for an empty record. Latency, ready and

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangle setup, after hls/triangle_setup.hpp: edge functions, bounding box, the reciprocal of the
+// Triangle setup, after hls/setup/triangle_setup.hpp: edge functions, bounding box, the reciprocal of the
 // area and the depth plane, in three units that work on three triangles at once:
 //
 //   triangle ─► hs_edge_setup ─┬── D ──► hs_reciprocal ─► record ─┬─► hs_plane_setup ─► setup
@@ -8,7 +8,7 @@
 // hs_setup_record holds the latter three. Without a plane there is no division: the edges are the
 // setup, and wait where they are until both streams have taken them.
 //
-// Interval: SetupInterval cycles, see setup_interval() in hls/config.hpp, mostly those of the
+// Interval: SetupInterval cycles, see setup_interval() in hls/formats/config.hpp, mostly those of the
 // division; 3 for an empty triangle, 7 if its box is not empty. Latency: at most 45 cycles more. A
 // triangle is taken after it was looked at: ready follows valid. Fork: setup and attributes each
 // stay until taken, and the next record waits for both. Attributes come when the division is done,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A triangle with its vertices in order, after order_vertices() of hls/triangle_setup.hpp: vertex 0
+// A triangle with its vertices in order, after order_vertices() of hls/setup/triangle_setup.hpp: vertex 0
 // is the topmost, of these the leftmost; 1 and 2 follow as they came, or, with swap_i, the other
 // way around. Depths and colours of vertices go with them; `last`, `index`, an object and a flat
 // colour go through.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // max(0, n·a / |n|), 1 at most, from the dot product and what hs_reciprocal_sqrt makes of |n|²
-// (kernel: cosine in hls/lighting.hpp); 0 where enable_i is 0.
+// (kernel: cosine in hls/shade/lighting.hpp); 0 where enable_i is 0.
 //
 // Interval 1; cosine_o 6 cycles after dot_i and enable_i, 5 after shift_i, 2 after root_i, of those
 // in which en_i is 1. One multiplier.

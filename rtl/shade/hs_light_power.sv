@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// x^(2^k), k up to Squarings, for x of 0 … 1 (kernel: power in hls/lighting.hpp).
+// x^(2^k), k up to Squarings, for x of 0 … 1 (kernel: power in hls/shade/lighting.hpp).
 // Interval 1, latency 2·Squarings cycles, of those in which en_i is 1. Squarings multipliers.
 module hs_light_power #(
   parameter int unsigned Squarings,  // 1 or more

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The Phong model for normals of any length, lights and a viewer at infinity (kernel: light_normal
-// in hls/lighting.hpp). The lights are registers and the materials memories of this module, written
+// in hls/shade/lighting.hpp). The lights are registers and the materials memories of this module, written
 // word by word while no normal is in flight.
 //
 // Interval: a cycle a light. Latency: 12 + 2·Squarings cycles, and one more for each light after the

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scan-out of the I-buffer, and its clearing for the next frame in the same pass
-// (kernel: hls/scan_index.hpp).
+// (kernel: hls/shade/scan_index.hpp).
 //
 // A token `start` is a pass. With start_clear_i = 0 it reads the stamps of the frame, writes 0 over
 // each and sends them, one a cycle, the first two cycles after the token. With start_clear_i = 1 it

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Phong shading at scan-out (kernel: hls/shade_phong.hpp): the normal of a pixel from the planes of
+// Phong shading at scan-out (kernel: hls/shade/shade_phong.hpp): the normal of a pixel from the planes of
 // its triangle, then lit. The lights and materials are those of hs_lighting, in here.
 //
 // Interval: a cycle a covered lane and light; a stamp of background takes as many cycles as there

@@ -96,7 +96,7 @@ def arguments():
         parser.error("--jobs and --tries are 1 or more")
     args.alone_targets = [name for name in args.alone_targets or args.targets if name in args.targets]
     if not args.package and not args.alone:
-        args.package = [(root / "rtl" / name / "hs_formats_pkg.sv", None) for name in ("low", "middle", "high")]
+        args.package = [(root / "rtl" / "formats" / name / "hs_formats_pkg.sv", None) for name in ("low", "middle", "high")]
     return args
 
 

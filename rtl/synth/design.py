@@ -119,14 +119,14 @@ def elaborate(yosys, rtl, package, lanes, units):
 
 
 def below(rtl, top):
-    """The sources of a module and all that it instantiates."""
+    """{stem: path} of the sources of a module and of all that it instantiates."""
+    paths = {path.stem: path for path in rtl.glob("*/hs_*.sv")}
     found, waiting = {}, [top]
     while waiting:
         stem = waiting.pop()
-        path = rtl / f"{stem}.sv"
-        if stem not in found and path.exists():
-            found[stem] = path.read_text()
-            waiting += re.findall(r"^\s*(hs_\w+)\s+(?:#\s*\(|u_\w+)", found[stem], re.MULTILINE)
+        if stem not in found and stem in paths:
+            found[stem] = paths[stem]
+            waiting += re.findall(r"^\s*(hs_\w+)\s+(?:#\s*\(|u_\w+)", paths[stem].read_text(), re.MULTILINE)
     if top not in found:
         raise AreaError(f"there is no {top}.sv in {rtl}: name the folder with --rtl")
     return dict(sorted(found.items()))
@@ -136,12 +136,12 @@ def flatten(yosys, rtl, package, top, lanes, title, keep="", values=()):
     """{name: RTLIL} of a module, flat but for the modules that the commands `keep` mark."""
     sources = below(rtl, top)
     given = dict(values)
-    if re.search(r"\bparameter\b.*\bLanesX\b", sources[top]):
+    if re.search(r"\bparameter\b.*\bLanesX\b", sources[top].read_text()):
         given["LanesX"], given["LanesY"] = LANES[lanes]
     parameters = " ".join(f"-chparam {name} {value}" for name, value in given.items())
     with tempfile.TemporaryDirectory(prefix="halfspace-area-") as folder:
         out = pathlib.Path(folder) / "flat.il"
-        script = (f'read_verilog -sv "{package.resolve()}" {" ".join(f"{stem}.sv" for stem in sources)}; '
+        script = (f'read_verilog -sv "{package.resolve()}" {" ".join(str(path.relative_to(rtl)) for path in sources.values())}; '
                   f"hierarchy -check -top {top} {parameters}; proc; chformal -remove; check -assert; {keep}"
                   f'flatten; opt_clean; write_rtlil "{out}"')
         run([yosys, "-q", "-p", script], title, cwd=rtl)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Texture at scan-out (kernel: hls/shade_texture.hpp): what the shader before made of a stamp, times
+// Texture at scan-out (kernel: hls/texture/shade_texture.hpp): what the shader before made of a stamp, times
 // the texels of its pixels. Textures and texels are memories of hs_texture_fetch, in here.
 //
 // Interval: a cycle a covered lane, with or without a texture; one for a stamp of background.

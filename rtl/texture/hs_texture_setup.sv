@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The planes of the texture coordinates of a triangle, for TdbS, after hls/texture_setup.hpp: s, t,
+// The planes of the texture coordinates of a triangle, for TdbS, after hls/texture/texture_setup.hpp: s, t,
 // and with perspective q, through hs_channel_planes.
 //
 // Interval, latency and stalls are those of hs_channel_planes, of two or three channels. Attributes

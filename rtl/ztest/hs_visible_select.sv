@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Deferred shading, after hls/visible_select.hpp: the attributes of a triangle meet the word of the
+// Deferred shading, after hls/ztest/visible_select.hpp: the attributes of a triangle meet the word of the
 // Z-test. Geometry hears the word; the attributes go on if the triangle is visible or the last, and
 // `empty` is then that it is not visible.
 //

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The Z-test with an index buffer: Z-buffer and I-buffer are tested and updated together, and a
-// triangle is reported visible when a fragment of it passed (kernel: hls/ztest_index.hpp). Without
+// triangle is reported visible when a fragment of it passed (kernel: hls/ztest/ztest_index.hpp). Without
 // depth the first fragment of a pixel passes; the ports of the Z-buffer are one bit then, 0 and not
 // looked at.
 //

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The Z-test without a Z-buffer (type gamma): the stored index fetches a depth plane from TdbV, and
-// the stored depth is computed again (kernel: hls/ztest_plane.hpp, which says why its bits are
+// the stored depth is computed again (kernel: hls/ztest/ztest_plane.hpp, which says why its bits are
 // those of a Z-buffer). A triangle is reported visible, and has its plane in TdbV, when a fragment
 // of it passed.
 //

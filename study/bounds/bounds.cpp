@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/bounds.hpp"
+#include "study/bounds/bounds.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "vectors/bounds_measure.hpp"
-#include "vectors/bounds_proved.hpp"
-#include "vectors/lighting_bounds.hpp"
+#include "study/bounds/bounds_measure.hpp"
+#include "study/proofs/bounds_proved.hpp"
+#include "study/proofs/lighting_bounds.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 bool BoundRow::see(double error, double bound) {
   ++compared;
@@ -156,4 +156,4 @@ BoundsReport measured_bounds(const Configuration& configuration, const MeasureOp
   return report;
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

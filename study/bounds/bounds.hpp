@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every kernel of a configuration: how far off it may be, by proof, and how far off it has been seen to be, and where.
-#ifndef HALFSPACE_VECTORS_BOUNDS_HPP_
-#define HALFSPACE_VECTORS_BOUNDS_HPP_
+#ifndef HALFSPACE_STUDY_BOUNDS_BOUNDS_HPP_
+#define HALFSPACE_STUDY_BOUNDS_BOUNDS_HPP_
 
 #include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "vectors/bounds_triangles.hpp"
-#include "vectors/configuration.hpp"
+#include "study/bounds/bounds_triangles.hpp"
+#include "model/formats/configuration.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 // Where an error was seen, to look at again.
 struct Witness {
@@ -97,6 +97,6 @@ struct MeasureOptions {
 // Runs the kernels of the configuration.
 BoundsReport measured_bounds(const Configuration& configuration, const MeasureOptions& options);
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_BOUNDS_HPP_
+#endif  // HALFSPACE_STUDY_BOUNDS_BOUNDS_HPP_

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/bounds_exact.hpp"
+#include "study/bounds/bounds_exact.hpp"
 
 #include <algorithm>
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 namespace {
 
 Wide floor_divide(Wide a, Wide b) {
@@ -71,4 +71,4 @@ double register_error(std::uint64_t bits, int b, int fraction, Wide value, Wide 
   return double(error) / double(area) / double(scale);
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

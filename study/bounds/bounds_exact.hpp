@@ -3,15 +3,15 @@
 //
 // No sum here leaves 128 bits: with |D| < 2^(2c), 2c + 3 <= 64 and b + g + f <= 63 for every accepted configuration, the
 // largest is a register of b + g bits times D, below 2^124.
-#ifndef HALFSPACE_VECTORS_BOUNDS_EXACT_HPP_
-#define HALFSPACE_VECTORS_BOUNDS_EXACT_HPP_
+#ifndef HALFSPACE_STUDY_BOUNDS_BOUNDS_EXACT_HPP_
+#define HALFSPACE_STUDY_BOUNDS_BOUNDS_EXACT_HPP_
 
 #include <array>
 #include <cstdint>
 
-#include "ref/snap.hpp"
+#include "ref/geometry/snap.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 using Wide = __int128;
 
@@ -71,6 +71,6 @@ class ExactTriangle {
 // `bits`/2^fraction − value/area, `bits` known modulo 2^(b + fraction): the difference nearest to 0, in LSB.
 double register_error(std::uint64_t bits, int b, int fraction, Wide value, Wide area);
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_BOUNDS_EXACT_HPP_
+#endif  // HALFSPACE_STUDY_BOUNDS_BOUNDS_EXACT_HPP_

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <map>
 
-#include "vectors/bounds_measure.hpp"
-#include "vectors/engine.hpp"
-#include "vectors/frame_lighting.hpp"
+#include "study/bounds/bounds_measure.hpp"
+#include "model/pipeline/engine.hpp"
+#include "vectors/awkward_normals.hpp"
 #include "vectors/standard_set.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 namespace {
 
 // The words of a stream with their fields by name.
@@ -125,4 +125,4 @@ void measure_frames(const Configuration& configuration, std::uint64_t seed, Boun
   }
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/bounds_measure.hpp"
+#include "study/bounds/bounds_measure.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <utility>
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 namespace {
 
@@ -164,4 +164,4 @@ void TriangleMeter::measure_coverage(const ExactTriangle& exact, const std::vect
   if (row.count(sent.size() - at, sent.size() - at)) row.where = place(sent[at].second, sent[at].first);
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

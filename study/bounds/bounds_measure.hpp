@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Measures the kernels against exact arithmetic, into the rows of a report.
-#ifndef HALFSPACE_VECTORS_BOUNDS_MEASURE_HPP_
-#define HALFSPACE_VECTORS_BOUNDS_MEASURE_HPP_
+#ifndef HALFSPACE_STUDY_BOUNDS_BOUNDS_MEASURE_HPP_
+#define HALFSPACE_STUDY_BOUNDS_BOUNDS_MEASURE_HPP_
 
 #include <memory>
 
-#include "vectors/bounds.hpp"
-#include "vectors/bounds_exact.hpp"
-#include "vectors/bounds_probe.hpp"
-#include "vectors/bounds_proved.hpp"
+#include "study/bounds/bounds.hpp"
+#include "study/bounds/bounds_exact.hpp"
+#include "study/bounds/bounds_probe.hpp"
+#include "study/proofs/bounds_proved.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 // ztest_index and scan_index on frames of random triangles, against buffers of its own.
 void measure_frames(const Configuration& configuration, std::uint64_t seed, BoundsReport& report);
@@ -63,6 +63,6 @@ class TriangleMeter {
   bool in_frame_ = false;            // its vertices, in the largest frame
 };
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_BOUNDS_MEASURE_HPP_
+#endif  // HALFSPACE_STUDY_BOUNDS_BOUNDS_MEASURE_HPP_

@@ -2,10 +2,10 @@
 // ztest_merge held to 64-bit keys.
 #include <random>
 
-#include "vectors/bounds_measure.hpp"
-#include "vectors/merge.hpp"
+#include "study/bounds/bounds_measure.hpp"
+#include "model/objects/merge.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 namespace {
 
 std::uint64_t key_of(const RawEntry& e) { return ref::object_key(e.depth, e.object); }
@@ -53,4 +53,4 @@ void measure_merges(const Configuration& configuration, std::uint64_t seed, Boun
   }
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/bounds_probe.hpp"
+#include "study/bounds/bounds_probe.hpp"
 
-#include "hls/pipeline.hpp"
-#include "vectors/runtime_formats.hpp"
+#include "hls/pipeline/pipeline.hpp"
+#include "model/formats/runtime_formats.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 namespace {
 
 template <class S>
@@ -176,4 +176,4 @@ std::unique_ptr<KernelProbe> make_kernel_probe(const Config& config) {
   return std::make_unique<RuntimeProbe<Stamp1>>(config);
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

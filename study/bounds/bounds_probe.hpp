@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // The kernels on one triangle, for any configuration: what each of them sends, as plain integers.
-#ifndef HALFSPACE_VECTORS_BOUNDS_PROBE_HPP_
-#define HALFSPACE_VECTORS_BOUNDS_PROBE_HPP_
+#ifndef HALFSPACE_STUDY_BOUNDS_BOUNDS_PROBE_HPP_
+#define HALFSPACE_STUDY_BOUNDS_BOUNDS_PROBE_HPP_
 
 #include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
 
-#include "hls/config.hpp"
-#include "ref/snap.hpp"
+#include "hls/formats/config.hpp"
+#include "ref/geometry/snap.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 // A plane as it is kept: b + g bits at the centre of pixel (x, y), ½ included, and its steps of a pixel.
 struct ProbedPlane {
@@ -46,7 +46,7 @@ class KernelProbe {
  public:
   virtual ~KernelProbe() = default;
   virtual void set_frame(int width, int height) = 0;
-  // The reciprocal is that of hls/reciprocal.hpp called apart: not every configuration has it in a stream.
+  // The reciprocal is that of hls/setup/reciprocal.hpp called apart: not every configuration has it in a stream.
   virtual ProbedSetup setup(const ref::SnappedTriangle& triangle) = 0;
   // The covered pixels of the triangle that setup() was given last, in the order and as often as they are sent.
   virtual std::vector<ProbedPixel> pixels() = 0;
@@ -55,6 +55,6 @@ class KernelProbe {
 // With the lanes of the configuration.
 std::unique_ptr<KernelProbe> make_kernel_probe(const Config& config);
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_BOUNDS_PROBE_HPP_
+#endif  // HALFSPACE_STUDY_BOUNDS_BOUNDS_PROBE_HPP_

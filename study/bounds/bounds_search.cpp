@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
-#include "vectors/bounds_measure.hpp"
+#include "study/bounds/bounds_measure.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 void TriangleMeter::search(TriangleSource& source, Vertices vertices, bool depth, int steps) {
   const int x = width_ - 1, y = height_ - 1;
@@ -42,4 +42,4 @@ void TriangleMeter::search(TriangleSource& source, Vertices vertices, bool depth
   measure(best);
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/bounds_triangles.hpp"
+#include "study/bounds/bounds_triangles.hpp"
 
 #include <algorithm>
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 using ref::SnappedTriangle;
 
@@ -104,4 +104,4 @@ SnappedTriangle TriangleSource::changed(const SnappedTriangle& in_t, Vertices ve
   return t;
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Triangles to measure errors on: random ones of several classes, and ones built to be as bad as they can be.
-#ifndef HALFSPACE_VECTORS_BOUNDS_TRIANGLES_HPP_
-#define HALFSPACE_VECTORS_BOUNDS_TRIANGLES_HPP_
+#ifndef HALFSPACE_STUDY_BOUNDS_BOUNDS_TRIANGLES_HPP_
+#define HALFSPACE_STUDY_BOUNDS_BOUNDS_TRIANGLES_HPP_
 
 #include <cstdint>
 #include <random>
 #include <vector>
 
-#include "hls/config.hpp"
-#include "ref/snap.hpp"
-#include "vectors/bounds_proved.hpp"
+#include "hls/formats/config.hpp"
+#include "ref/geometry/snap.hpp"
+#include "study/proofs/bounds_proved.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 enum class TriangleClass { kSmall, kAny, kHuge, kFrameSliver, kGuardBandSliver, kCorner };
 constexpr TriangleClass kTriangleClasses[] = {TriangleClass::kSmall, TriangleClass::kAny, TriangleClass::kHuge,
@@ -40,6 +40,6 @@ class TriangleSource {
   std::mt19937_64 random_;
 };
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_BOUNDS_TRIANGLES_HPP_
+#endif  // HALFSPACE_STUDY_BOUNDS_BOUNDS_TRIANGLES_HPP_

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <random>
 
-#include "vectors/lighting_bounds.hpp"
+#include "study/proofs/lighting_bounds.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 namespace {
 
 using Triple = std::array<int, 3>;
@@ -99,4 +99,4 @@ void measure_lighting(const Config& config, std::uint64_t seed, int lights, Boun
   for (int n = 0; n < lights; ++n) LightSearch(config, random).run(n % 3, report);
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

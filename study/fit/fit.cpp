@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/fit.hpp"
+#include "study/fit/fit.hpp"
 
 #include <fmt/format.h>
 
@@ -8,10 +8,10 @@
 #include <tuple>
 
 #include "ref/error.hpp"
-#include "vectors/engine.hpp"
-#include "vectors/memories.hpp"
+#include "model/pipeline/engine.hpp"
+#include "model/pipeline/memories.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 namespace {
 
 constexpr int kMostTriangles = 1 << 22;  // what refusal() allows
@@ -253,4 +253,4 @@ FitOutcome check_fit(const FitScene& scene, const Configuration& configuration, 
   return search.draw(configuration.config(), make_engine(configuration, lanes));
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

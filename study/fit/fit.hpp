@@ -6,19 +6,19 @@
 // frame keeps the goal; again until nothing more can go. Type γ, which draws the same frames, takes the place of what needs a
 // Z-buffer where it is smaller, unless pixels know their objects. The range, the frame and the number of triangles follow from the
 // scene. So a bit less anywhere is refused or breaks the goal, which `less` shows for each number.
-#ifndef HALFSPACE_VECTORS_FIT_HPP_
-#define HALFSPACE_VECTORS_FIT_HPP_
+#ifndef HALFSPACE_STUDY_FIT_FIT_HPP_
+#define HALFSPACE_STUDY_FIT_FIT_HPP_
 
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "ref/scene.hpp"
-#include "vectors/configuration.hpp"
-#include "vectors/trade.hpp"
+#include "ref/scene/scene.hpp"
+#include "model/formats/configuration.hpp"
+#include "study/trade/trade.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 struct FitGoal {
   double psnr = 45;         // dB against the ideal picture, of each frame; 0: not asked
@@ -98,6 +98,6 @@ Fit fit_configuration(const FitScene&, const std::string& name, const FitGoal&, 
 // the configuration has (compiled if it is a named one) and another number of lanes.
 FitOutcome check_fit(const FitScene&, const Configuration&, const FitGoal&, int lanes);
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_FIT_HPP_
+#endif  // HALFSPACE_STUDY_FIT_FIT_HPP_

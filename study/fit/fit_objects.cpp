@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "ref/geometry.hpp"
-#include "ref/static_instances.hpp"
-#include "vectors/fit.hpp"
+#include "ref/geometry/geometry.hpp"
+#include "ref/objects/static_instances.hpp"
+#include "study/fit/fit.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 FitObjects choose_objects(Config& c, const FitScene& scene, const std::function<std::uint64_t(const FitScene&, const Config&)>& cycles_of) {
   FitObjects found;
@@ -55,4 +55,4 @@ FitObjects choose_objects(Config& c, const FitScene& scene, const std::function<
                              found.cycles_moving, found.cycles_all));
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

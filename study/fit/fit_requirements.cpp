@@ -3,9 +3,9 @@
 #include <cmath>
 #include <limits>
 
-#include "vectors/fit.hpp"
+#include "study/fit/fit.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 namespace {
 
 using Triangle = std::array<ref::Vertex, 3>;
@@ -107,4 +107,4 @@ Requirements requirements(const FitScene& scene) {
   return r;
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

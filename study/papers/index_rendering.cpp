@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/index_rendering.hpp"
+#include "study/papers/index_rendering.hpp"
 
 #include <fmt/format.h>
 
-#include "hls/formats.hpp"
+#include "hls/formats/formats.hpp"
 #include "ref/error.hpp"
-#include "vectors/configuration.hpp"
+#include "model/formats/configuration.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 using ref::Architecture;
 using ref::ShadingMode;
@@ -98,4 +98,4 @@ FourRates measure_architectures(const ref::Scene& scene, const std::string& conf
   return rates;
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

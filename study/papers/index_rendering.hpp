@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the four architectures of index rendering take: lighting, buffers, bandwidth, by the hardware levels of the paper.
-#ifndef HALFSPACE_VECTORS_INDEX_RENDERING_HPP_
-#define HALFSPACE_VECTORS_INDEX_RENDERING_HPP_
+#ifndef HALFSPACE_STUDY_PAPERS_INDEX_RENDERING_HPP_
+#define HALFSPACE_STUDY_PAPERS_INDEX_RENDERING_HPP_
 
 #include <array>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "ref/architecture.hpp"
-#include "vectors/memories.hpp"
+#include "ref/raster/architecture.hpp"
+#include "model/pipeline/memories.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 // A level of hardware as the paper has them; `config` names the configuration of which it takes the number formats.
 struct HardwareLevel {
@@ -55,6 +55,6 @@ using FourRates = std::array<ArchitectureRates, 4>;  // in the order of kArchite
 // Draws the scene in `config`'s positions and depth. Throws ref::Error when two of the pictures differ.
 FourRates measure_architectures(const ref::Scene&, const std::string& config, int width, int height, ref::ShadingMode);
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_INDEX_RENDERING_HPP_
+#endif  // HALFSPACE_STUDY_PAPERS_INDEX_RENDERING_HPP_

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/lighting_cost.hpp"
+#include "study/papers/lighting_cost.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <set>
 
-#include "ref/raster.hpp"
-#include "vectors/configuration.hpp"
+#include "ref/raster/raster.hpp"
+#include "model/formats/configuration.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 namespace {
 
 constexpr int kRuns = 5;
@@ -64,4 +64,4 @@ LightingCost measure_lighting(const ref::Scene& scene, const std::string& config
   return cost;
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // What deferred lighting saves a processor: the cost model of the dual pipeline, and the time that our geometry stage takes.
-#ifndef HALFSPACE_VECTORS_LIGHTING_COST_HPP_
-#define HALFSPACE_VECTORS_LIGHTING_COST_HPP_
+#ifndef HALFSPACE_STUDY_PAPERS_LIGHTING_COST_HPP_
+#define HALFSPACE_STUDY_PAPERS_LIGHTING_COST_HPP_
 
 #include <cstdint>
 
-#include "ref/geometry.hpp"
+#include "ref/geometry/geometry.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 // An addition costs 1, a multiplication 2, a reciprocal square root 16.
 struct Operations {
@@ -45,6 +45,6 @@ struct LightingCost {
 // `config` gives the grid of positions and the depth.
 LightingCost measure_lighting(const ref::Scene&, const std::string& config, int width, int height);
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_LIGHTING_COST_HPP_
+#endif  // HALFSPACE_STUDY_PAPERS_LIGHTING_COST_HPP_

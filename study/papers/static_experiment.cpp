@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/static_experiment.hpp"
+#include "study/papers/static_experiment.hpp"
 
 #include <fmt/format.h>
 
@@ -9,10 +9,10 @@
 #include <optional>
 
 #include "ref/error.hpp"
-#include "vectors/configuration.hpp"
-#include "vectors/cycles.hpp"
+#include "model/formats/configuration.hpp"
+#include "model/pipeline/cycles.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 namespace {
 
 double processor_ms() { return 1e3 * double(std::clock()) / CLOCKS_PER_SEC; }
@@ -214,4 +214,4 @@ StaticExperiment run_static_experiment(const StaticExperimentOptions& options, c
   return Experiment(options, progress).run();
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The experiment of the static objects buffer: a crowd of which few move, by four methods side by side.
-#ifndef HALFSPACE_VECTORS_STATIC_EXPERIMENT_HPP_
-#define HALFSPACE_VECTORS_STATIC_EXPERIMENT_HPP_
+#ifndef HALFSPACE_STUDY_PAPERS_STATIC_EXPERIMENT_HPP_
+#define HALFSPACE_STUDY_PAPERS_STATIC_EXPERIMENT_HPP_
 
 #include <array>
 #include <cstdint>
@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "ref/crowd.hpp"
-#include "ref/static_objects.hpp"
+#include "ref/builtin/crowd.hpp"
+#include "ref/objects/static_objects.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 // Of numbers that come one a frame.
 class Spread {
@@ -75,6 +75,6 @@ using ExperimentProgress = std::function<void(const char* phase, std::size_t don
 // than the setup: of triangles of a pixel about one stamp each.
 StaticExperiment run_static_experiment(const StaticExperimentOptions&, const ExperimentProgress&);
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_STATIC_EXPERIMENT_HPP_
+#endif  // HALFSPACE_STUDY_PAPERS_STATIC_EXPERIMENT_HPP_

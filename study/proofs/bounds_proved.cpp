@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/bounds_proved.hpp"
+#include "study/proofs/bounds_proved.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 double value(const Dyadic& number) { return std::ldexp(double(number.mantissa), number.exponent); }
 
@@ -40,4 +40,4 @@ PlaneBound plane_bound(const PlaneNumbers& n, const Dyadic& reach) {
   return {sum, sum + Dyadic{1, -n.fraction}, sum + Dyadic{1, -1}};
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The proved bounds of a configuration, from its numbers alone. docs/bounds.md has the derivations; vectors/gappa.hpp prints
+// The proved bounds of a configuration, from its numbers alone. docs/bounds.md has the derivations; study/proofs/gappa.hpp prints
 // the proofs.
-#ifndef HALFSPACE_VECTORS_BOUNDS_PROVED_HPP_
-#define HALFSPACE_VECTORS_BOUNDS_PROVED_HPP_
+#ifndef HALFSPACE_STUDY_PROOFS_BOUNDS_PROVED_HPP_
+#define HALFSPACE_STUDY_PROOFS_BOUNDS_PROVED_HPP_
 
 #include <cstdint>
 
-#include "hls/formats.hpp"
+#include "hls/formats/formats.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 // mantissa · 2^exponent.
 struct Dyadic {
@@ -45,6 +45,6 @@ struct PlaneBound {
 };
 PlaneBound plane_bound(const PlaneNumbers& numbers, const Dyadic& reach);
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_BOUNDS_PROVED_HPP_
+#endif  // HALFSPACE_STUDY_PROOFS_BOUNDS_PROVED_HPP_

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/gappa.hpp"
+#include "study/proofs/gappa.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "vectors/bounds_proved.hpp"
-#include "vectors/lighting_bounds.hpp"
+#include "study/proofs/bounds_proved.hpp"
+#include "study/proofs/lighting_bounds.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 namespace {
 
 std::string number(const Dyadic& n) { return fmt::format("{}b{}", n.mantissa, n.exponent); }
@@ -161,4 +161,4 @@ std::vector<GappaScript> gappa_scripts(const Config& config) {
   return scripts;
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bounds of vectors/bounds_proved.hpp as scripts for Gappa, which proves each or says that it cannot. They are printed from
+// The bounds of study/proofs/bounds_proved.hpp as scripts for Gappa, which proves each or says that it cannot. They are printed from
 // the numbers of a configuration, so every configuration has its own.
-#ifndef HALFSPACE_VECTORS_GAPPA_HPP_
-#define HALFSPACE_VECTORS_GAPPA_HPP_
+#ifndef HALFSPACE_STUDY_PROOFS_GAPPA_HPP_
+#define HALFSPACE_STUDY_PROOFS_GAPPA_HPP_
 
 #include <string>
 #include <vector>
 
-#include "hls/formats.hpp"
+#include "hls/formats/formats.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 struct GappaScript {
   std::string name;  // of its file, without the ending .g
@@ -20,6 +20,6 @@ struct GappaScript {
 // it can be there is written mantissa b exponent, a limit that need not be is a plain integer.
 std::vector<GappaScript> gappa_scripts(const Config& config);
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_GAPPA_HPP_
+#endif  // HALFSPACE_STUDY_PROOFS_GAPPA_HPP_

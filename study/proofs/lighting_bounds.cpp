@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/lighting_bounds.hpp"
+#include "study/proofs/lighting_bounds.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 Dyadic cosine_bound(const Config& config) { return kRootBound + Dyadic{1, -cosine_fraction(config)}; }
 
@@ -50,4 +50,4 @@ ExactLight exact_light(const LightingFrame& frame, int material, const std::arra
   return result;
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

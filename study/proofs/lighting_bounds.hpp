@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // How far off the lighting kernels may be, by proof and as seen, and the exact formula on the integers that they take.
 // docs/numerics.md has the derivation.
-#ifndef HALFSPACE_VECTORS_LIGHTING_BOUNDS_HPP_
-#define HALFSPACE_VECTORS_LIGHTING_BOUNDS_HPP_
+#ifndef HALFSPACE_STUDY_PROOFS_LIGHTING_BOUNDS_HPP_
+#define HALFSPACE_STUDY_PROOFS_LIGHTING_BOUNDS_HPP_
 
-#include "vectors/bounds.hpp"
-#include "vectors/bounds_proved.hpp"
-#include "vectors/lighting.hpp"
+#include "study/bounds/bounds.hpp"
+#include "study/proofs/bounds_proved.hpp"
+#include "model/shade/lighting.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 // ρ: of |y·√m − 1| of reciprocal_sqrt. lighting_test tries every field.
 constexpr Dyadic kRootBound = {1, -17};
@@ -31,6 +31,6 @@ ExactLight exact_light(const LightingFrame& frame, int material, const std::arra
 // normals for the largest errors.
 void measure_lighting(const Config& config, std::uint64_t seed, int lights, BoundsReport& report);
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_LIGHTING_BOUNDS_HPP_
+#endif  // HALFSPACE_STUDY_PROOFS_LIGHTING_BOUNDS_HPP_

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/motion_bounds.hpp"
+#include "study/proofs/motion_bounds.hpp"
 
 #include <cmath>
 
-#include "vectors/texture_bounds.hpp"
+#include "study/proofs/texture_bounds.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 double motion_bound(const Config& config, int extent, double part, double q, double distance) {
   return texture_place_bound(config, std::ldexp(1.0, extent), part, q, distance) + std::ldexp(1.0, -config.vector_fraction - 1);
@@ -20,4 +20,4 @@ double difference_bound(const Config& config, double distance) {
   return 0.5 + std::ldexp(1.0, difference_bits(config) - config.reciprocal_bits) + std::ldexp(distance / 2 + 1, -config.colour_fraction);
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // How far off a vector of the motion field may be, an axis, in pixels. docs/numerics.md has the derivation.
-#ifndef HALFSPACE_VECTORS_MOTION_BOUNDS_HPP_
-#define HALFSPACE_VECTORS_MOTION_BOUNDS_HPP_
+#ifndef HALFSPACE_STUDY_PROOFS_MOTION_BOUNDS_HPP_
+#define HALFSPACE_STUDY_PROOFS_MOTION_BOUNDS_HPP_
 
-#include "hls/formats.hpp"
+#include "hls/formats/formats.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 // Of the words of a triangle at a pixel: places within 2^extent pixels of the origin; `part` is S/Q, 0 … 1, the larger
 // of both axes, and `q` is Q, as exact planes have them, affine Q is 2^b; `distance` is |dx| + |dy| from vertex 0, in
@@ -19,6 +19,6 @@ double motion_vertex_bound(const Config& config, int extent, double spread, doub
 // Of a plane of colour differences, rounded, in units of 2^−kDifferenceFraction LSB.
 double difference_bound(const Config& config, double distance);
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_MOTION_BOUNDS_HPP_
+#endif  // HALFSPACE_STUDY_PROOFS_MOTION_BOUNDS_HPP_

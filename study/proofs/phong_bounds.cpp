@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/phong_bounds.hpp"
+#include "study/proofs/phong_bounds.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "vectors/lighting_bounds.hpp"
+#include "study/proofs/lighting_bounds.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 double normal_plane_bound(const Config& config, double distance) {
   // The start of a plane loses what lies below 2^−g.
@@ -50,4 +50,4 @@ PhongBound phong_bound(const ref::DistantScene& scene, int material, const glm::
   return bound;
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

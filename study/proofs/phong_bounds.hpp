@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // How far off the colour of a Phong-shaded pixel may be. docs/numerics.md has the derivation.
-#ifndef HALFSPACE_VECTORS_PHONG_BOUNDS_HPP_
-#define HALFSPACE_VECTORS_PHONG_BOUNDS_HPP_
+#ifndef HALFSPACE_STUDY_PROOFS_PHONG_BOUNDS_HPP_
+#define HALFSPACE_STUDY_PROOFS_PHONG_BOUNDS_HPP_
 
-#include "ref/distant_lighting.hpp"
-#include "vectors/lighting.hpp"
+#include "ref/geometry/distant_lighting.hpp"
+#include "model/shade/lighting.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 // Of a component of an interpolated normal, in units of 2^−p, before rounding, from the normals of the vertices as quantized:
 // `distance` is |dx| + |dy| from vertex 0, in pixels.
@@ -24,6 +24,6 @@ struct PhongBound {
 PhongBound phong_bound(const ref::DistantScene& scene, int material, const glm::dvec3& n, int channel, double distance,
                        const Config& config);
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_PHONG_BOUNDS_HPP_
+#endif  // HALFSPACE_STUDY_PROOFS_PHONG_BOUNDS_HPP_

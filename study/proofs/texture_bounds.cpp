@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/texture_bounds.hpp"
+#include "study/proofs/texture_bounds.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 double coordinate_plane_bound(const Config& config, double distance) {
   // The start of a plane loses what lies below 2^−g.
@@ -28,4 +28,4 @@ double texture_vertex_bound(const Config& config, double span, double spread, do
 
 double texture_cut_bound(const Config& config) { return is_bilinear(config) ? std::ldexp(1.0, -kWeightBits - 1) : 0; }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // How far off the place of a pixel in its texture may be, in texels. docs/numerics.md has the derivation.
-#ifndef HALFSPACE_VECTORS_TEXTURE_BOUNDS_HPP_
-#define HALFSPACE_VECTORS_TEXTURE_BOUNDS_HPP_
+#ifndef HALFSPACE_STUDY_PROOFS_TEXTURE_BOUNDS_HPP_
+#define HALFSPACE_STUDY_PROOFS_TEXTURE_BOUNDS_HPP_
 
-#include "hls/formats.hpp"
+#include "hls/formats/formats.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 // ρ: of |y·m − 1| of reciprocal_lookup. texture_kernel_test tries every field.
 constexpr double kInverseError = 1.0 / (1 << 18);
@@ -24,6 +24,6 @@ double texture_vertex_bound(const Config& config, double span, double spread, do
 // What cutting to 8 bits adds, to either side: 2^−9 where there are weights, none for the nearest.
 double texture_cut_bound(const Config& config);
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_TEXTURE_BOUNDS_HPP_
+#endif  // HALFSPACE_STUDY_PROOFS_TEXTURE_BOUNDS_HPP_

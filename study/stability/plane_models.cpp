@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compiled without contraction of a·b + c (vectors/CMakeLists.txt): each operation rounds.
-#include "vectors/plane_models.hpp"
+#include "study/stability/plane_models.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 namespace {
 
 // As in a conversion to UNORM: NaN is 0.
@@ -55,4 +55,4 @@ double SaturatedPlane::value(int px, int py) const {
   return saturate(double(v0_) + std::ldexp(double(sum), -fraction_ - subpixel_bits_), full_);
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

@@ -2,12 +2,12 @@
 // What else is done for the plane of an attribute, to stand beside the kernels: float32 planes as in software
 // rasterizers, and fixed point with gradients that saturate. One channel of one triangle; values before rounding,
 // in LSB.
-#ifndef HALFSPACE_VECTORS_PLANE_MODELS_HPP_
-#define HALFSPACE_VECTORS_PLANE_MODELS_HPP_
+#ifndef HALFSPACE_STUDY_STABILITY_PLANE_MODELS_HPP_
+#define HALFSPACE_STUDY_STABILITY_PLANE_MODELS_HPP_
 
-#include "vectors/bounds_exact.hpp"
+#include "study/bounds/bounds_exact.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 // Positions in float pixels and values of 0 … 1. With ooa = 1/(dx01·dy20 − dx20·dy01), da01 = v0 − v1 and so on,
 //   A = da01·(dy20·ooa) − da20·(dy01·ooa),  B = da20·(dx01·ooa) − da01·(dx20·ooa),
@@ -42,6 +42,6 @@ class SaturatedPlane {
   int fraction_, subpixel_bits_;
 };
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_PLANE_MODELS_HPP_
+#endif  // HALFSPACE_STUDY_STABILITY_PLANE_MODELS_HPP_

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/stability.hpp"
+#include "study/stability/stability.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
 
-#include "vectors/bounds_probe.hpp"
-#include "vectors/bounds_proved.hpp"
-#include "vectors/plane_models.hpp"
-#include "vectors/stability_triangles.hpp"
+#include "study/bounds/bounds_probe.hpp"
+#include "study/proofs/bounds_proved.hpp"
+#include "study/stability/plane_models.hpp"
+#include "study/stability/stability_triangles.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 const char* plane_method_name(PlaneMethod method) {
   constexpr const char* kNames[kPlaneMethods] = {"kernels", "float32 from the origin", "float32 from a vertex",
@@ -123,4 +123,4 @@ StabilityStudy stability_study(const Config& config, const StabilityOptions& opt
   return study;
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // How far off the planes of depth and colour are before rounding, against the shape and the size of triangles: the
-// kernels of a configuration beside other ways to do it (vectors/plane_models.hpp).
-#ifndef HALFSPACE_VECTORS_STABILITY_HPP_
-#define HALFSPACE_VECTORS_STABILITY_HPP_
+// kernels of a configuration beside other ways to do it (study/stability/plane_models.hpp).
+#ifndef HALFSPACE_STUDY_STABILITY_STABILITY_HPP_
+#define HALFSPACE_STUDY_STABILITY_STABILITY_HPP_
 
 #include <array>
 #include <cstdint>
@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "hls/config.hpp"
+#include "hls/formats/config.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 enum PlaneMethod { kKernelPlane, kFloatFromOrigin, kFloatFromVertex, kSaturatedGradients, kPlaneMethods };
 const char* plane_method_name(PlaneMethod method);
@@ -47,6 +47,6 @@ struct StabilityOptions {
 
 StabilityStudy stability_study(const Config& config, const StabilityOptions& options);
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_STABILITY_HPP_
+#endif  // HALFSPACE_STUDY_STABILITY_STABILITY_HPP_

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/stability_triangles.hpp"
+#include "study/stability/stability_triangles.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 namespace {
 
 struct Vector {
@@ -135,4 +135,4 @@ std::optional<ref::SnappedTriangle> ShapeSource::of_size(int log2) {
   return std::nullopt;
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Triangles of a given shape or size that cover a pixel centre of the frame.
-#ifndef HALFSPACE_VECTORS_STABILITY_TRIANGLES_HPP_
-#define HALFSPACE_VECTORS_STABILITY_TRIANGLES_HPP_
+#ifndef HALFSPACE_STUDY_STABILITY_STABILITY_TRIANGLES_HPP_
+#define HALFSPACE_STUDY_STABILITY_STABILITY_TRIANGLES_HPP_
 
 #include <optional>
 #include <random>
 
-#include "hls/config.hpp"
-#include "vectors/bounds_exact.hpp"
+#include "hls/formats/config.hpp"
+#include "study/bounds/bounds_exact.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 class ShapeSource {
  public:
@@ -35,6 +35,6 @@ class ShapeSource {
 // Of the longest edge, squared.
 double squared_length(const ref::SnappedTriangle& t);
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_STABILITY_TRIANGLES_HPP_
+#endif  // HALFSPACE_STUDY_STABILITY_STABILITY_TRIANGLES_HPP_

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/accuracy.hpp"
+#include "study/trade/accuracy.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 namespace {
 
@@ -49,4 +49,4 @@ Accuracy accuracy(const ref::Frame& reference, const ref::Frame& kernels, int de
   return result;
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The kernels held against the floating-point reference, in LSB and dB.
-#ifndef HALFSPACE_VECTORS_ACCURACY_HPP_
-#define HALFSPACE_VECTORS_ACCURACY_HPP_
+#ifndef HALFSPACE_STUDY_TRADE_ACCURACY_HPP_
+#define HALFSPACE_STUDY_TRADE_ACCURACY_HPP_
 
 #include <cstdint>
 
-#include "ref/raster.hpp"
+#include "ref/raster/raster.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 struct Accuracy {
   std::uint64_t pixels = 0;
@@ -26,6 +26,6 @@ struct Accuracy {
 
 Accuracy accuracy(const ref::Frame& reference, const ref::Frame& kernels, int depth_bits);
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_ACCURACY_HPP_
+#endif  // HALFSPACE_STUDY_TRADE_ACCURACY_HPP_

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/trade.hpp"
+#include "study/trade/trade.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 
-#include "vectors/engine.hpp"
+#include "model/pipeline/engine.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 PictureError picture_error(const ref::IdealFrame& ideal, const ref::TriangleList& list, const ref::Frame& frame,
                            int depth_bits) {
@@ -129,4 +129,4 @@ Trade measure_trade(const Projection& project, int width, int height, const Conf
   return trade;
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a configuration gives for what it takes: accuracy against the ideal picture (ref/ideal.hpp) and the reference, cycles
+// What a configuration gives for what it takes: accuracy against the ideal picture (ref/raster/ideal.hpp) and the reference, cycles
 // and traffic of the RTL.
-#ifndef HALFSPACE_VECTORS_TRADE_HPP_
-#define HALFSPACE_VECTORS_TRADE_HPP_
+#ifndef HALFSPACE_STUDY_TRADE_TRADE_HPP_
+#define HALFSPACE_STUDY_TRADE_TRADE_HPP_
 
 #include <cstdint>
 #include <functional>
 #include <vector>
 
-#include "ref/ideal.hpp"
-#include "ref/raster.hpp"
-#include "vectors/accesses.hpp"
-#include "vectors/accuracy.hpp"
-#include "vectors/configuration.hpp"
-#include "vectors/cycles.hpp"
+#include "ref/raster/ideal.hpp"
+#include "ref/raster/raster.hpp"
+#include "model/pipeline/accesses.hpp"
+#include "study/trade/accuracy.hpp"
+#include "model/formats/configuration.hpp"
+#include "model/pipeline/cycles.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 // How far a frame is from the ideal picture.
 struct PictureError {
@@ -87,6 +87,6 @@ using Projection = std::function<ref::TriangleList(const ref::View&)>;
 // Throws ref::Error when the scene does not fit.
 Trade measure_trade(const Projection&, int width, int height, const Configuration&, int lanes);
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_TRADE_HPP_
+#endif  // HALFSPACE_STUDY_TRADE_TRADE_HPP_

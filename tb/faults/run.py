@@ -50,7 +50,7 @@ def read_faults(path):
 
 
 def seed_fault(fault, rtl):
-    path = rtl / fault["file"]
+    path = next(rtl.glob(f"*/{fault['file']}"), rtl / fault["file"])
     text = path.read_text() if path.exists() else ""
     if (count := text.count(fault["find"])) != 1:
         raise Broken(f"its text stands {count} times in {fault['file']}, not once: bring faults.txt and rtl/ together")
@@ -89,7 +89,7 @@ def try_fault(args, fault):
     try:
         if fault:
             seed_fault(fault, work / "rtl")
-        bench = build(args.package or work / "rtl" / args.config / "hs_formats_pkg.sv", args.lanes, args.top, work / "model", args.library,
+        bench = build(args.package or work / "rtl" / "formats" / args.config / "hs_formats_pkg.sv", args.lanes, args.top, work / "model", args.library,
                       rtl=work / "rtl", verilator=args.verilator, cxx=args.cxx)
         result = subprocess.run([bench, args.vectors, "--stall", "30", "--seed", "1"], capture_output=True, text=True,
                                 timeout=600)

@@ -11,7 +11,7 @@ import unittest
 
 ROOT = pathlib.Path(sys.argv[1]).resolve()
 SYNTH = ROOT / "rtl" / "synth"
-LOW = ROOT / "rtl" / "low" / "hs_formats_pkg.sv"
+LOW = ROOT / "rtl" / "formats" / "low" / "hs_formats_pkg.sv"
 UNIT = "scan_index"
 
 

@@ -7,14 +7,14 @@
 #include <sstream>
 
 #include "ref/error.hpp"
-#include "vectors/engine.hpp"
-#include "vectors/format_fields.hpp"
+#include "model/pipeline/engine.hpp"
+#include "model/formats/format_fields.hpp"
 #include "vectors/standard_set.hpp"
 
 namespace halfspace::tests {
 namespace {
 
-using vectors::Configuration;
+using model::Configuration;
 
 std::string text_of(const std::string& path) {
   std::ifstream file(path);
@@ -25,7 +25,7 @@ std::string text_of(const std::string& path) {
 
 std::string refusal_of(const std::string& toml) {
   try {
-    vectors::parse_configuration(toml, "x.toml");
+    model::parse_configuration(toml, "x.toml");
   } catch (const ref::Error& e) {
     return e.what();
   }
@@ -34,33 +34,33 @@ std::string refusal_of(const std::string& toml) {
 
 // The text of `middle` with one line in the place of another.
 std::string middle_with(const std::string& field, const std::string& line) {
-  std::istringstream in(vectors::configuration_toml(vectors::find_configuration("middle")));
+  std::istringstream in(model::configuration_toml(model::find_configuration("middle")));
   std::string text, one;
   while (std::getline(in, one)) text += (one.rfind(field + " ", 0) == 0 ? line : one) + "\n";
   return text;
 }
 
 // What the words of all streams of some frames come to.
-std::string streams_of(vectors::Engine& engine, const std::vector<vectors::NamedFrame>& frames) {
+std::string streams_of(model::Engine& engine, const std::vector<model::NamedFrame>& frames) {
   std::string text;
   for (const auto& frame : frames) {
-    engine.capture(frame.scene, [&](const vectors::Layout& layout, const vectors::Word* words, std::size_t count) {
+    engine.capture(frame.scene, [&](const model::Layout& layout, const model::Word* words, std::size_t count) {
       text += layout.stream;
-      for (std::size_t n = 0; n < count; ++n) vectors::append_hex(text, words[n], layout.bits);
+      for (std::size_t n = 0; n < count; ++n) model::append_hex(text, words[n], layout.bits);
     });
   }
   return text;
 }
 
 TEST(Configuration, HeadersAreWhatTheFilesSay) {
-  for (const Configuration& named : vectors::named_configurations()) {
-    const std::string stem = std::string(HALFSPACE_SOURCE) + "/hls/configs/" + named.name();
-    const Configuration file = vectors::find_configuration(stem + ".toml");
-    EXPECT_EQ(text_of(stem + ".toml"), vectors::configuration_toml(file));
-    EXPECT_EQ(text_of(stem + ".hpp"), vectors::configuration_header(file))
+  for (const Configuration& named : model::named_configurations()) {
+    const std::string stem = std::string(HALFSPACE_SOURCE) + "/hls/formats/configs/" + named.name();
+    const Configuration file = model::find_configuration(stem + ".toml");
+    EXPECT_EQ(text_of(stem + ".toml"), model::configuration_toml(file));
+    EXPECT_EQ(text_of(stem + ".hpp"), model::configuration_header(file))
         << "run `halfspace config " << stem << ".toml --header " << stem << ".hpp`";
     EXPECT_EQ(file.name(), named.name());
-    EXPECT_EQ(vectors::configuration_toml(file), vectors::configuration_toml(named));
+    EXPECT_EQ(model::configuration_toml(file), model::configuration_toml(named));
   }
 }
 
@@ -91,14 +91,14 @@ TEST(Configuration, RefusesWithItsReason) {
 }
 
 TEST(Configuration, AtRunTimeGivesTheBitsOfTheCompiledKernels) {
-  for (const Configuration& named : vectors::named_configurations()) {
+  for (const Configuration& named : model::named_configurations()) {
     const Config config = named.config();
-    std::vector<vectors::NamedFrame> frames = vectors::corner_frames(vectors::raster_format(named));
-    for (auto& frame : vectors::random_frames(vectors::raster_format(named), 5, 8, 60)) frames.push_back(std::move(frame));
+    std::vector<model::NamedFrame> frames = model::corner_frames(model::raster_format(named));
+    for (auto& frame : model::random_frames(model::raster_format(named), 5, 8, 60)) frames.push_back(std::move(frame));
     for (const int lanes : {1, 2, 4, 8, 16}) {
       SCOPED_TRACE(named.name() + ", lanes " + std::to_string(lanes));
-      const auto compiled = vectors::make_engine(named, lanes);
-      const auto runtime = vectors::make_runtime_engine(config, format_table(config), lanes);
+      const auto compiled = model::make_engine(named, lanes);
+      const auto runtime = model::make_runtime_engine(config, format_table(config), lanes);
       const std::string streams = streams_of(*compiled, frames);
       EXPECT_GT(streams.size(), 100000u);
       EXPECT_TRUE(streams == streams_of(*runtime, frames));
@@ -108,10 +108,10 @@ TEST(Configuration, AtRunTimeGivesTheBitsOfTheCompiledKernels) {
 
 // Two engines of different formats take turns: neither sees the other's.
 TEST(Configuration, EnginesDoNotShareFormats) {
-  const Config low = vectors::find_configuration("low").config(), high = vectors::find_configuration("high").config();
-  const auto frames_low = vectors::random_frames(vectors::raster_format("low"), 3, 2, 20);
-  const auto frames_high = vectors::random_frames(vectors::raster_format("high"), 3, 2, 20);
-  const auto a = vectors::make_runtime_engine(low, format_table(low), 4), b = vectors::make_runtime_engine(high, format_table(high), 4);
+  const Config low = model::find_configuration("low").config(), high = model::find_configuration("high").config();
+  const auto frames_low = model::random_frames(model::raster_format("low"), 3, 2, 20);
+  const auto frames_high = model::random_frames(model::raster_format("high"), 3, 2, 20);
+  const auto a = model::make_runtime_engine(low, format_table(low), 4), b = model::make_runtime_engine(high, format_table(high), 4);
   const std::string first = streams_of(*a, frames_low);
   streams_of(*b, frames_high);
   EXPECT_TRUE(first == streams_of(*a, frames_low));
@@ -128,9 +128,9 @@ TEST(Configuration, OfRandomNumbersIsAcceptedOrRefusedAndRight) {
     if (refusal(numbers) != Refusal::kNone) continue;
     ++accepted;
     const Configuration configuration("random", numbers);
-    SCOPED_TRACE(vectors::configuration_toml(configuration));
-    const auto engine = vectors::make_engine(configuration, numbers.lanes);
-    for (const auto& frame : vectors::random_frames(vectors::raster_format(configuration), n, 2, 40)) {
+    SCOPED_TRACE(model::configuration_toml(configuration));
+    const auto engine = model::make_engine(configuration, numbers.lanes);
+    for (const auto& frame : model::random_frames(model::raster_format(configuration), n, 2, 40)) {
       const ref::Frame kernels = engine->render(frame.scene), reference = ref::render(frame.scene);
       for (std::size_t at = 0; at < reference.index.size(); ++at) {
         // A fragment that one of them rounds to full depth does not pass there.
@@ -147,33 +147,33 @@ TEST(Configuration, OfRandomNumbersIsAcceptedOrRefusedAndRight) {
 }  // namespace
 // What tells configurations apart: each number alone, and no name.
 TEST(Configuration, IsTheSameWhenAllNumbersAre) {
-  const Config low = vectors::find_configuration("low").config();
+  const Config low = model::find_configuration("low").config();
   Config other = low;
   other.name = "other";
-  EXPECT_TRUE(vectors::same_numbers(low, other));
-  for (const auto* fields : {&vectors::config_fields(), &vectors::lighting_fields(), &vectors::texture_fields()}) {
+  EXPECT_TRUE(model::same_numbers(low, other));
+  for (const auto* fields : {&model::config_fields(), &model::lighting_fields(), &model::texture_fields()}) {
     for (const auto& field : *fields) {
       other = low;
       ++(other.*field.value);
-      EXPECT_FALSE(vectors::same_numbers(low, other)) << field.name;
+      EXPECT_FALSE(model::same_numbers(low, other)) << field.name;
     }
   }
   other = low;
   other.shading = Shading::kFlat;
-  EXPECT_FALSE(vectors::same_numbers(low, other));
+  EXPECT_FALSE(model::same_numbers(low, other));
   other = low;
   other.architecture = Architecture::kGamma;
-  EXPECT_FALSE(vectors::same_numbers(low, other));
-  EXPECT_FALSE(vectors::is_compiled({"low", other}));
+  EXPECT_FALSE(model::same_numbers(low, other));
+  EXPECT_FALSE(model::is_compiled({"low", other}));
   other = low;
   other.texture = TextureFilter::kNearest;
-  EXPECT_FALSE(vectors::same_numbers(low, other));
+  EXPECT_FALSE(model::same_numbers(low, other));
   other = low;
   other.mapping = TextureMapping::kPerspective;
-  EXPECT_FALSE(vectors::same_numbers(low, other));
+  EXPECT_FALSE(model::same_numbers(low, other));
   other = low;
   other.lanes = 16;
-  EXPECT_TRUE(vectors::is_compiled({"low", other}));
+  EXPECT_TRUE(model::is_compiled({"low", other}));
 }
 
 }  // namespace halfspace::tests

@@ -7,24 +7,24 @@
 #include <cmath>
 #include <map>
 
-#include "vectors/accuracy.hpp"
-#include "vectors/engine.hpp"
+#include "study/trade/accuracy.hpp"
+#include "model/pipeline/engine.hpp"
 #include "vectors/extremes.hpp"
-#include "vectors/field_value.hpp"
+#include "model/formats/field_value.hpp"
 
 namespace halfspace::tests {
 namespace {
 
 using ref::SnappedList;
 using ref::SnappedTriangle;
-using vectors::NamedFrame;
+using model::NamedFrame;
 
 // Triangles without area fill up the frame of the last index: nobody draws them one by one.
 constexpr std::size_t kMostAlone = 200;
 
 class Extremes : public testing::TestWithParam<const char*> {
  protected:
-  const ref::RasterFormat format_ = vectors::raster_format(GetParam());
+  const ref::RasterFormat format_ = model::raster_format(GetParam());
 };
 
 struct Measured {
@@ -32,7 +32,7 @@ struct Measured {
   std::int64_t depth = 0, colour = 0;  // the largest differences, LSB
 
   void add(const ref::Frame& reference, const ref::Frame& kernels, int depth_bits) {
-    const vectors::Accuracy a = vectors::accuracy(reference, kernels, depth_bits);
+    const model::Accuracy a = model::accuracy(reference, kernels, depth_bits);
     pixels += a.compared;
     index_differ += a.index_differ;  // coverage is among it
     depth_differ += a.depth_differ, colour_differ += a.colour_differ;
@@ -44,8 +44,8 @@ struct Measured {
 };
 
 TEST_P(Extremes, KernelsAgreeWithTheReference) {
-  const auto engine = vectors::make_engine(GetParam(), 4);
-  for (const vectors::ExtremeClass& one : vectors::extreme_classes()) {
+  const auto engine = model::make_engine(GetParam(), 4);
+  for (const model::ExtremeClass& one : model::extreme_classes()) {
     Measured measured;
     const std::vector<NamedFrame> frames = one.frames(format_);
     for (const NamedFrame& frame : frames) {
@@ -82,10 +82,10 @@ TEST_P(Extremes, KernelsAgreeWithTheReference) {
 // Any rotation and either winding, with any stamp: the same pixels, to the bit.
 TEST_P(Extremes, OrdersAndStampsGiveIdenticalPixels) {
   constexpr int kOrders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
-  std::vector<std::unique_ptr<vectors::Engine>> engines;
-  for (const int lanes : {4, 1, 16}) engines.push_back(vectors::make_engine(GetParam(), lanes));
+  std::vector<std::unique_ptr<model::Engine>> engines;
+  for (const int lanes : {4, 1, 16}) engines.push_back(model::make_engine(GetParam(), lanes));
   std::size_t triangles = 0;
-  for (const NamedFrame& frame : vectors::extreme_frames(format_)) {
+  for (const NamedFrame& frame : model::extreme_frames(format_)) {
     SCOPED_TRACE(frame.note);
     SnappedList alone = frame.scene;
     for (const SnappedTriangle& triangle : frame.scene.triangles) {
@@ -110,9 +110,9 @@ TEST_P(Extremes, OrdersAndStampsGiveIdenticalPixels) {
 }
 
 TEST_P(Extremes, EqualDepthsComeBackExactly) {
-  const auto engine = vectors::make_engine(GetParam(), 4);
+  const auto engine = model::make_engine(GetParam(), 4);
   std::size_t covered = 0;
-  for (const NamedFrame& frame : vectors::equal_depth_frames(format_)) {
+  for (const NamedFrame& frame : model::equal_depth_frames(format_)) {
     const std::uint32_t depth = frame.scene.triangles.at(0).depth[0];
     const ref::Frame kernels = engine->render(frame.scene);
     for (std::size_t n = 0; n < kernels.index.size(); ++n) {
@@ -126,7 +126,7 @@ TEST_P(Extremes, EqualDepthsComeBackExactly) {
 
 // A half sub-pixel goes to the even neighbour, and what is a hair off it to the nearer one.
 TEST_P(Extremes, TiesGoToTheEvenSubpixel) {
-  const ref::TriangleList list = vectors::finer_than_the_grid(format_);
+  const ref::TriangleList list = model::finer_than_the_grid(format_);
   const SnappedList snapped = ref::snap(list, format_);
   int ties = 0;
   for (std::size_t k = 0; k < list.triangles.size(); ++k) {
@@ -148,22 +148,22 @@ TEST_P(Extremes, TiesGoToTheEvenSubpixel) {
 
 // The set is what it says: of every field of every stream it needs the top bit.
 TEST_P(Extremes, EveryFieldNeedsItsTopBit) {
-  const auto engine = vectors::make_engine(GetParam(), 1);
+  const auto engine = model::make_engine(GetParam(), 1);
   struct Range {
-    vectors::Field field;
+    model::Field field;
     std::int64_t low = 0, high = 0;
   };
   std::map<std::string, Range> ranges;
-  for (const vectors::ExtremeClass& one : vectors::extreme_classes()) {
+  for (const model::ExtremeClass& one : model::extreme_classes()) {
     for (const NamedFrame& frame : one.frames(format_)) {
       // The words of the largest frame would fill the memory.
       if (frame.scene.width * frame.scene.height > 100000) continue;
-      engine->capture(frame.scene, [&](const vectors::Layout& layout, const vectors::Word* words, std::size_t count) {
-        for (const vectors::Field& field : layout.fields) {
+      engine->capture(frame.scene, [&](const model::Layout& layout, const model::Word* words, std::size_t count) {
+        for (const model::Field& field : layout.fields) {
           Range& range = ranges[layout.stream + "." + field.name];
           range.field = field;
           for (std::size_t n = 0; n < count; ++n) {
-            const std::int64_t value = vectors::field_value(words[n], field);
+            const std::int64_t value = model::field_value(words[n], field);
             range.low = std::min(range.low, value), range.high = std::max(range.high, value);
           }
         }

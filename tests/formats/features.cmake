@@ -1,12 +1,11 @@
 # One configuration with its features taken away (feature_configs.hpp, configs/*.toml): the tops, the units and the pipeline
 # of the RTL, what Yosys finds in it, and the cycles of the triangle setup.
-target_compile_definitions(features_test PRIVATE HALFSPACE_SOURCE="${PROJECT_SOURCE_DIR}")
 
 file(GLOB tops CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/hls/top/*_top.cpp)
 list(FILTER tops EXCLUDE REGEX
      "/(light_vertex|visible_select|shade_setup_lit|phong_setup|shade_phong|texture_setup|shade_texture|motion_setup|motion_field|motion_compensate|scan_object|ztest_merge)_top")  # lighting.cmake, texture.cmake
 foreach(config IN ITEMS GouraudOnly FlatDepth FlatOnly Gamma)
-  halfspace_tops_test(tops_test_${config} tops_test.cpp ${config} feature_configs.hpp ${tops})
+  halfspace_tops_test(tops_test_${config} pipeline/tops_test.cpp ${config} formats/feature_configs.hpp ${tops})
   set_target_properties(tops_tops_test_${config} PROPERTIES UNITY_BUILD ON)
 endforeach()
 
@@ -27,19 +26,19 @@ foreach(lanes IN ITEMS 1 4 16)
   foreach(scene IN ITEMS castle layers)
     add_test(NAME pipeline_gamma_${lanes}_${scene} COMMAND Python3::Interpreter ${cosim_tool} $<TARGET_FILE:halfspace>
              ${CMAKE_CURRENT_BINARY_DIR}/model_pipeline_gamma_${lanes}/bench ${CMAKE_CURRENT_BINARY_DIR}/pipeline_gamma_${lanes}_${scene} ${scene}
-             ${CMAKE_CURRENT_SOURCE_DIR}/configs/gamma.toml ${lanes} --stall 0 --seeds 1 --model 0.01 -- --no-corners)
+             ${config_of_gamma} ${lanes} --stall 0 --seeds 1 --model 0.01 -- --no-corners)
   endforeach()
 endforeach()
 
 add_test(NAME faults_flat COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tb/faults/run.py
-  --faults ${PROJECT_SOURCE_DIR}/tb/faults/flat.txt --config ${CMAKE_CURRENT_SOURCE_DIR}/configs/flat_only.toml
+  --faults ${PROJECT_SOURCE_DIR}/tb/faults/flat.txt --config ${config_of_flat_only}
   --package ${CMAKE_CURRENT_BINARY_DIR}/model_units_flat_only_4/hs_formats_pkg.sv --halfspace $<TARGET_FILE:halfspace>
   --work ${CMAKE_CURRENT_BINARY_DIR}/faults_flat --jobs 2 --library $<TARGET_FILE:halfspace_tb>
   --library $<TARGET_FILE:halfspace_verilated> --verilator ${HALFSPACE_VERILATOR} --cxx ${CMAKE_CXX_COMPILER})
 set_tests_properties(faults_flat PROPERTIES PROCESSORS 2 TIMEOUT 1800)
 
 add_test(NAME faults_gamma COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tb/faults/run.py
-  --faults ${PROJECT_SOURCE_DIR}/tb/faults/gamma.txt --config ${CMAKE_CURRENT_SOURCE_DIR}/configs/gamma.toml
+  --faults ${PROJECT_SOURCE_DIR}/tb/faults/gamma.txt --config ${config_of_gamma}
   --package ${CMAKE_CURRENT_BINARY_DIR}/model_units_gamma_4/hs_formats_pkg.sv --halfspace $<TARGET_FILE:halfspace>
   --work ${CMAKE_CURRENT_BINARY_DIR}/faults_gamma --jobs 2 --library $<TARGET_FILE:halfspace_tb>
   --library $<TARGET_FILE:halfspace_verilated> --verilator ${HALFSPACE_VERILATOR} --cxx ${CMAKE_CXX_COMPILER})
@@ -52,14 +51,14 @@ endforeach()
 add_test(NAME lint_features COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tb/lint.py --verilator ${HALFSPACE_VERILATOR}
          ${packages})
 
-set(interval_tool ${CMAKE_CURRENT_SOURCE_DIR}/interval_test.py)
+set(interval_tool ${CMAKE_CURRENT_SOURCE_DIR}/pipeline/interval_test.py)
 foreach(name IN ITEMS gouraud_only flat_depth flat_only)
   set(model ${CMAKE_CURRENT_BINARY_DIR}/model_units_${name}_4)
   add_test(NAME interval_${name} COMMAND Python3::Interpreter ${interval_tool} $<TARGET_FILE:halfspace> ${model}/bench
-           ${model}/hs_formats_pkg.sv ${CMAKE_CURRENT_SOURCE_DIR}/configs/${name}.toml 4 ${CMAKE_CURRENT_BINARY_DIR}/interval_${name})
+           ${model}/hs_formats_pkg.sv ${config_of_${name}} 4 ${CMAKE_CURRENT_BINARY_DIR}/interval_${name})
 endforeach()
 add_test(NAME interval_middle COMMAND Python3::Interpreter ${interval_tool} $<TARGET_FILE:halfspace>
-         $<TARGET_FILE:tb_units_middle_1> ${PROJECT_SOURCE_DIR}/rtl/middle/hs_formats_pkg.sv middle 1
+         $<TARGET_FILE:tb_units_middle_1> ${PROJECT_SOURCE_DIR}/rtl/formats/middle/hs_formats_pkg.sv middle 1
          ${CMAKE_CURRENT_BINARY_DIR}/interval_middle)
 
 # Multipliers and memories that are left: one multiplier makes the edges, one a depth plane, two the colour planes (their
@@ -67,7 +66,7 @@ add_test(NAME interval_middle COMMAND Python3::Interpreter ${interval_tool} $<TA
 # planes, and two of what is in flight.
 function(halfspace_features_left name multipliers memories)
   set(package ${CMAKE_CURRENT_BINARY_DIR}/model_pipeline_${name}_1/hs_formats_pkg.sv)
-  file(GLOB units CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/rtl/hs_*.sv)
+  file(GLOB units CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/rtl/*/hs_*.sv)
   string(REPLACE ";" " " sources "${package};${units}")
   add_test(NAME synthesis_${name} COMMAND ${HALFSPACE_YOSYS} -q -p
     "read_verilog -sv ${sources}; hierarchy -check -top hs_pipeline -chparam LanesX 1 -chparam LanesY 1; proc; opt; check -assert; flatten; opt; memory_collect; select -assert-count ${multipliers} t:$mul; select -assert-count ${memories} t:$mem_v2; select -assert-none t:$div t:$mod")

@@ -7,27 +7,28 @@
 #include <sstream>
 
 #include "ref/error.hpp"
-#include "tests/feature_configs.hpp"
-#include "vectors/accuracy.hpp"
-#include "vectors/engine_impl.hpp"
-#include "vectors/package.hpp"
+#include "tests/formats/feature_configs.hpp"
+#include "study/trade/accuracy.hpp"
+#include "model/pipeline/engine_impl.hpp"
+#include "model/pipeline/package.hpp"
 #include "vectors/standard_set.hpp"
+#include "tests/config_path.hpp"
 
 namespace halfspace::tests {
 namespace {
 
-using vectors::Configuration;
+using model::Configuration;
 
 template <class C>
 class Features : public testing::Test {
  protected:
   const Config config = C::config();
   const Configuration configuration{config.name, config};
-  const ref::RasterFormat format = vectors::raster_format(configuration);
+  const ref::RasterFormat format = model::raster_format(configuration);
 
-  std::vector<vectors::NamedFrame> frames(std::uint64_t seed) const {
-    std::vector<vectors::NamedFrame> frames = vectors::corner_frames(format);
-    for (auto& frame : vectors::random_frames(format, seed, 12, 80)) frames.push_back(std::move(frame));
+  std::vector<model::NamedFrame> frames(std::uint64_t seed) const {
+    std::vector<model::NamedFrame> frames = model::corner_frames(format);
+    for (auto& frame : model::random_frames(format, seed, 12, 80)) frames.push_back(std::move(frame));
     return frames;
   }
   // One triangle over the frame a rotation of the vertices, at the depths and in the colours given.
@@ -49,12 +50,12 @@ using Combinations = testing::Types<GouraudDepth, GouraudOnly, FlatDepth, FlatOn
 TYPED_TEST_SUITE(Features, Combinations);
 
 template <class S>
-std::string streams_of(vectors::Engine& engine, const S& frames) {
+std::string streams_of(model::Engine& engine, const S& frames) {
   std::string text;
   for (const auto& frame : frames) {
-    engine.capture(frame.scene, [&](const vectors::Layout& layout, const vectors::Word* words, std::size_t count) {
+    engine.capture(frame.scene, [&](const model::Layout& layout, const model::Word* words, std::size_t count) {
       text += layout.stream;
-      for (std::size_t n = 0; n < count; ++n) vectors::append_hex(text, words[n], layout.bits);
+      for (std::size_t n = 0; n < count; ++n) model::append_hex(text, words[n], layout.bits);
     });
   }
   return text;
@@ -62,24 +63,24 @@ std::string streams_of(vectors::Engine& engine, const S& frames) {
 
 TYPED_TEST(Features, CompiledAndAtRunTimeAreTheSameBits) {
   const auto frames = this->frames(5);
-  const auto expect_same = [&](vectors::Engine& compiled, int lanes) {
+  const auto expect_same = [&](model::Engine& compiled, int lanes) {
     const std::string streams = streams_of(compiled, frames);
     EXPECT_GT(streams.size(), 100000u);
-    EXPECT_TRUE(streams == streams_of(*vectors::make_engine(this->configuration, lanes), frames)) << lanes << " lanes";
+    EXPECT_TRUE(streams == streams_of(*model::make_engine(this->configuration, lanes), frames)) << lanes << " lanes";
   };
-  vectors::KernelEngine<Formats<TypeParam, Stamp1>> one;
+  model::KernelEngine<Formats<TypeParam, Stamp1>> one;
   expect_same(one, 1);
-  vectors::KernelEngine<Formats<TypeParam, Stamp4>> four;
+  model::KernelEngine<Formats<TypeParam, Stamp4>> four;
   expect_same(four, 4);
 }
 
 TYPED_TEST(Features, AgreesWithTheReference) {
-  vectors::KernelEngine<Formats<TypeParam, Stamp4>> engine;
+  model::KernelEngine<Formats<TypeParam, Stamp4>> engine;
   std::uint64_t compared = 0, colour_differ = 0;
   for (const auto& frame : this->frames(9)) {
     SCOPED_TRACE(frame.note);
     const ref::Frame reference = ref::render(frame.scene), kernels = engine.render(frame.scene);
-    const vectors::Accuracy a = vectors::accuracy(reference, kernels, this->config.depth_bits);
+    const model::Accuracy a = model::accuracy(reference, kernels, this->config.depth_bits);
     EXPECT_EQ(a.covered_differ, 0u);
     EXPECT_LE(a.colour_largest, is_gouraud(this->config) ? 1 : 0);
     if (has_depth(this->config)) {
@@ -101,7 +102,7 @@ TYPED_TEST(Features, AgreesWithTheReference) {
 
 // The vertex that comes first gives a flat triangle its colour, in whatever place and winding the kernel puts it.
 TYPED_TEST(Features, FirstVertexIsTheColourOfAFlatTriangle) {
-  const auto engine = vectors::make_engine(this->configuration, 1);
+  const auto engine = model::make_engine(this->configuration, 1);
   for (int rotation = 0; rotation < 3; ++rotation) {
     for (const bool mirrored : {false, true}) {
       ref::SnappedTriangle t = this->triangle(rotation, 1000);
@@ -121,7 +122,7 @@ TYPED_TEST(Features, FirstVertexIsTheColourOfAFlatTriangle) {
 
 // The nearer one is drawn second: it is seen with depth, and not without.
 TYPED_TEST(Features, FirstDrawnWinsWithoutDepth) {
-  const auto engine = vectors::make_engine(this->configuration, 4);
+  const auto engine = model::make_engine(this->configuration, 4);
   const ref::SnappedList scene{this->format, 40, 30, {0, 0, 0}, {this->triangle(0, 2000), this->triangle(1, 1000)}};
   const std::uint32_t seen = has_depth(this->config) ? 2 : 1;
   for (const ref::Frame& frame : {engine->render(scene), ref::render(scene)}) {
@@ -133,8 +134,8 @@ TYPED_TEST(Features, FirstDrawnWinsWithoutDepth) {
 
 TYPED_TEST(Features, NoWordHasWhatIsNotThere) {
   std::string depths, colours, reciprocals;
-  for (const vectors::Layout& layout : vectors::make_engine(this->configuration, 4)->layouts()) {
-    for (const vectors::Field& field : layout.fields) {
+  for (const model::Layout& layout : model::make_engine(this->configuration, 4)->layouts()) {
+    for (const model::Field& field : layout.fields) {
       const std::string name = " " + layout.stream + "." + field.name;
       if (field.name.rfind("depth", 0) == 0) depths += name;
       if (field.name == "reciprocal" || field.name == "shift") reciprocals += name;
@@ -156,7 +157,7 @@ TYPED_TEST(Features, NoWordHasWhatIsNotThere) {
 
 // Benches and synthesis take it from there.
 TYPED_TEST(Features, PackageHasNoTypeOfWhatIsNotThere) {
-  const std::string text = vectors::formats_package(this->configuration);
+  const std::string text = model::formats_package(this->configuration);
   const auto has = [&](const char* part) { return text.find(part) != std::string::npos; };
   EXPECT_EQ(has("HasDepth = 1;"), has_depth(this->config));
   EXPECT_EQ(has("StoresDepth = 1;"), stores_depth(this->config));
@@ -172,21 +173,21 @@ TYPED_TEST(Features, PackageHasNoTypeOfWhatIsNotThere) {
 
 // feature_configs.hpp, for the compiler, and tests/configs/*.toml, for the benches, are the same.
 TYPED_TEST(Features, FileIsTheHeader) {
-  std::ifstream file(std::string(HALFSPACE_SOURCE) + "/tests/configs/" + this->config.name + ".toml");
+  std::ifstream file(config_path(this->config.name));
   std::ostringstream text;
   text << file.rdbuf();
-  EXPECT_EQ(text.str(), vectors::configuration_toml(this->configuration));
+  EXPECT_EQ(text.str(), model::configuration_toml(this->configuration));
 }
 
 TYPED_TEST(Features, FileReadsBack) {
-  const std::string toml = vectors::configuration_toml(this->configuration);
-  const Configuration again = vectors::parse_configuration(toml, "x.toml");
-  EXPECT_EQ(vectors::configuration_toml(again), toml);
-  EXPECT_EQ(vectors::configuration_header(again), vectors::configuration_header(this->configuration));
+  const std::string toml = model::configuration_toml(this->configuration);
+  const Configuration again = model::parse_configuration(toml, "x.toml");
+  EXPECT_EQ(model::configuration_toml(again), toml);
+  EXPECT_EQ(model::configuration_header(again), model::configuration_header(this->configuration));
   EXPECT_EQ(again.config().shading, this->config.shading);
   EXPECT_EQ(again.config().architecture, this->config.architecture);
-  const std::string middle = vectors::configuration_toml(vectors::find_configuration("middle"));
-  EXPECT_TRUE(is_gouraud(vectors::parse_configuration(middle.substr(0, middle.find("shading")), "x.toml").config()));
+  const std::string middle = model::configuration_toml(model::find_configuration("middle"));
+  EXPECT_TRUE(is_gouraud(model::parse_configuration(middle.substr(0, middle.find("shading")), "x.toml").config()));
 }
 
 std::string refusal_of(const Config& numbers) {
@@ -224,12 +225,12 @@ TEST(FeatureRefusals, AreOfWhatIsThere) {
   c = FlatDepth::config();
   c.depth_fraction = 9;
   EXPECT_NE(refusal_of(c).find("depth planes"), std::string::npos) << refusal_of(c);
-  const std::string toml = vectors::configuration_toml(Configuration("x", FlatDepth::config()));
+  const std::string toml = model::configuration_toml(Configuration("x", FlatDepth::config()));
   for (const char* line : {"shading = \"blinn\"", "shading = 1"}) {
     std::string text = toml;
     text.replace(text.find("shading = \"flat\""), 16, line);
     try {
-      vectors::parse_configuration(text, "x.toml");
+      model::parse_configuration(text, "x.toml");
       ADD_FAILURE() << "accepted: " << line;
     } catch (const ref::Error& e) {
       EXPECT_NE(std::string(e.what()).find("x.toml:13: shading is \"gouraud\", \"flat\", \"phong\" or \"motion\""), std::string::npos) << e.what();

@@ -5,25 +5,25 @@
 
 #include <cstdio>
 
-#include "vectors/engine.hpp"
+#include "model/pipeline/engine.hpp"
 #include "vectors/extremes.hpp"
-#include "vectors/format_fields.hpp"
+#include "model/formats/format_fields.hpp"
 
 namespace halfspace::tests {
 namespace {
 
-using vectors::Configuration;
-using vectors::NamedFrame;
+using model::Configuration;
+using model::NamedFrame;
 
 std::vector<NamedFrame> frames_of(const Configuration& configuration) {
-  const ref::RasterFormat format = vectors::raster_format(configuration);
-  std::vector<NamedFrame> frames = vectors::extreme_frames(format);
-  for (auto& frame : vectors::largest_frames(format)) frames.push_back(std::move(frame));
+  const ref::RasterFormat format = model::raster_format(configuration);
+  std::vector<NamedFrame> frames = model::extreme_frames(format);
+  for (auto& frame : model::largest_frames(format)) frames.push_back(std::move(frame));
   return frames;
 }
 
 // The first frame whose picture is off by more than the bounds allow, and how; empty when all are right.
-std::string fault_of(vectors::Engine& engine, const std::vector<NamedFrame>& frames, const std::vector<ref::Frame>& references) {
+std::string fault_of(model::Engine& engine, const std::vector<NamedFrame>& frames, const std::vector<ref::Frame>& references) {
   for (std::size_t n = 0; n < frames.size(); ++n) {
     const ref::Frame kernels = engine.render(frames[n].scene);
     const ref::Frame& reference = references[n];
@@ -47,22 +47,22 @@ std::string fault_of(vectors::Engine& engine, const std::vector<NamedFrame>& fra
 class Width : public testing::TestWithParam<const char*> {};
 
 TEST_P(Width, IsNotABitTooWide) {
-  const Configuration configuration = vectors::find_configuration(GetParam());
+  const Configuration configuration = model::find_configuration(GetParam());
   const Config config = configuration.config();
   const std::vector<NamedFrame> frames = frames_of(configuration);
   std::vector<ref::Frame> references;
   for (const NamedFrame& frame : frames) references.push_back(ref::render(frame.scene));
 
   const FormatTable right = format_table(config);
-  const auto engine = vectors::make_runtime_engine(config, right, 4);
+  const auto engine = model::make_runtime_engine(config, right, 4);
   ASSERT_EQ(fault_of(*engine, frames, references), "");
-  for (const vectors::FormatField& field : vectors::format_fields()) {
+  for (const model::FormatField& field : model::format_fields()) {
     FormatTable table = right;
     NumberFormat& format = table.*field.format;
     ASSERT_GT(format.width, 1) << field.name;
     --format.width;
     --format.integer;
-    const auto narrower = vectors::make_runtime_engine(config, table, 4);
+    const auto narrower = model::make_runtime_engine(config, table, 4);
     const std::string fault = fault_of(*narrower, frames, references);
     std::printf("%-7s %-22s %2d -> %2d bits: %s\n", GetParam(), field.name, format.width + 1, format.width, fault.c_str());
     EXPECT_FALSE(fault.empty()) << field.name << " of " << GetParam() << " can do with " << format.width << " bits";

@@ -47,7 +47,7 @@ def faults(root):
                 if folder == "hls" and top == "hls":
                     a, b = path.stem, pathlib.PurePath(target).stem
                     if a not in level or b not in level:
-                        yield f"{here}: {a} or {b} has no place in the order: add it to tests/arrows_test.py"
+                        yield f"{here}: {a} or {b} has no place in the order: add it to tests/house/arrows_test.py"
                     elif level[b] >= level[a]:
                         yield f"{here}: {a} must not include {b}"
     if checked < 50:

@@ -16,8 +16,8 @@ def main():
     found = re.search(r"<!-- widths -->\n(.*?)<!-- /widths -->", text, re.DOTALL)
     if not found or found.group(1) != table or len(table.splitlines()) < 30:
         faults.append("docs/configurations.md: its widths are not what `halfspace config --markdown` prints: put that between the marks")
-    if (root / "hls/configs/middle.toml").read_text() not in text:
-        faults.append("docs/configurations.md: its example is not hls/configs/middle.toml")
+    if (root / "hls/formats/configs/middle.toml").read_text() not in text:
+        faults.append("docs/configurations.md: its example is not hls/formats/configs/middle.toml")
     links = 0
     for document in [root / "README.md", root / "CONTRIBUTING.md", *sorted((root / "docs").glob("*.md"))]:
         for target in re.findall(r"\]\(([^)#]+)\)", document.read_text()):

@@ -6,18 +6,19 @@
 #include <cstdio>
 
 #include "ref/error.hpp"
-#include "tests/compensate_model.hpp"
+#include "tests/motion/compensate_model.hpp"
 #include "vectors/compensation_frames.hpp"
+#include "tests/config_path.hpp"
 
 namespace halfspace::tests {
 namespace {
 
-using vectors::CompensatedFrame;
-using vectors::CompensatedPixel;
-using vectors::Compensator;
-using vectors::KeyFrame;
-using vectors::NamedCompensation;
-using vectors::RawMotion;
+using model::CompensatedFrame;
+using model::CompensatedPixel;
+using model::Compensator;
+using model::KeyFrame;
+using model::NamedCompensation;
+using model::RawMotion;
 
 constexpr KeyFilter kFilters[] = {KeyFilter::kNearest, KeyFilter::kBilinear, KeyFilter::kArea, KeyFilter::kBicubic};
 
@@ -29,7 +30,7 @@ const char* name_of(KeyFilter filter) {
 }
 
 Config base(const char* name) {
-  return vectors::find_configuration(std::string(HALFSPACE_SOURCE "/tests/configs/motion_") + name + ".toml").config();
+  return model::find_configuration(config_path(std::string("motion_") + name)).config();
 }
 Config with(KeyFilter filter, int fraction, int weight_bits, int samples, int relight) {
   Config c = base("middle");
@@ -40,15 +41,15 @@ Config with(KeyFilter filter, int fraction, int weight_bits, int samples, int re
   return c;
 }
 
-Compensator compensator(const Config& config) { return Compensator(vectors::Configuration("test", config)); }
+Compensator compensator(const Config& config) { return Compensator(model::Configuration("test", config)); }
 
 // Every word of a frame, and the misses.
 void expect_model(const Config& config, const NamedCompensation& frame, std::array<std::size_t, 4>& kinds) {
   const CompensationModel model(config, false);
-  const vectors::CompensationInput input = frame.input();
+  const model::CompensationInput input = frame.input();
   const CompensatedFrame got = compensator(config).run(input);
   std::vector<RawMotion> order = frame.motion;
-  vectors::order_by_tiles(order, config);
+  model::order_by_tiles(order, config);
   ASSERT_EQ(got.pixels.size(), std::max<std::size_t>(order.size(), 1));
   for (std::size_t n = 0; n < order.size(); ++n) {
     const CompensationModel::Pixel want = model.pixel(input, order[n]);
@@ -71,7 +72,7 @@ TEST(Compensation, IsItsDefinition) {
       for (const int samples : {1, 2, 4}) {
         Config config = base(name);
         config.filter = filter, config.samples = samples;
-        for (const NamedCompensation& frame : vectors::compensation_frames(config, 7))
+        for (const NamedCompensation& frame : model::compensation_frames(config, 7))
           expect_model(config, frame, kinds);
       }
     }
@@ -237,7 +238,7 @@ TEST(KeyCache, MissesAreThoseOfFourTiles) {
 TEST(KeyCache, HoldsFourTiles) {
   for (const KeyFilter filter : kFilters) {
     const Config config = with(filter, 5, 6, 1, 0);
-    const NamedCompensation frame = vectors::warm_frame(config, 2000, 3);
+    const NamedCompensation frame = model::warm_frame(config, 2000, 3);
     const CompensatedFrame got = compensator(config).run(frame.input());
     EXPECT_LE(got.misses[0], 4u);
     EXPECT_LE(got.misses[1], 4u);
@@ -340,14 +341,14 @@ TEST(Weights, CostNoMoreThanTheirBound) {
 
 TEST(Compensator, RefusesWhatDoesNotFit) {
   const Config config = with(KeyFilter::kBilinear, 5, 6, 2, 0);
-  NamedCompensation frame = vectors::warm_frame(config, 10, 1);
+  NamedCompensation frame = model::warm_frame(config, 10, 1);
   EXPECT_NO_THROW(compensator(config).run(frame.input()));
   frame.weight = 65;
   EXPECT_THROW(compensator(config).run(frame.input()), ref::Error);
   frame.weight = 64;
   frame.width += 2;
   EXPECT_THROW(compensator(config).run(frame.input()), ref::Error);
-  EXPECT_THROW(Compensator(vectors::find_configuration("middle")), ref::Error);
+  EXPECT_THROW(Compensator(model::find_configuration("middle")), ref::Error);
 }
 
 }  // namespace

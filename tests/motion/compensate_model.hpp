@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compensation from its definition, for the tests: taps by their distance from a place, no cache, numbers in double.
 // Weights are those of the tables, or exact ones.
-#ifndef HALFSPACE_TESTS_COMPENSATE_MODEL_HPP_
-#define HALFSPACE_TESTS_COMPENSATE_MODEL_HPP_
+#ifndef HALFSPACE_TESTS_MOTION_COMPENSATE_MODEL_HPP_
+#define HALFSPACE_TESTS_MOTION_COMPENSATE_MODEL_HPP_
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,8 @@
 #include <optional>
 #include <set>
 
-#include "hls/key_filter.hpp"
-#include "vectors/compensation.hpp"
+#include "hls/motion/key_filter.hpp"
+#include "model/motion/compensation.hpp"
 
 namespace halfspace::tests {
 
@@ -38,8 +38,8 @@ class CompensationModel {
   using Colour = std::array<double, 3>;
 
   // Before it is blended; nothing where the key does not show the point.
-  std::optional<Colour> key(const vectors::CompensationInput& in, const vectors::RawMotion& m, int k) const {
-    const vectors::RawKeyVector& v = m.key[std::size_t(k)];
+  std::optional<Colour> key(const model::CompensationInput& in, const model::RawMotion& m, int k) const {
+    const model::RawKeyVector& v = m.key[std::size_t(k)];
     if (m.face == 0 || !v.there) return std::nullopt;
     const double x = place(m.x, v.x), y = place(m.y, v.y);
     Colour sum{};
@@ -72,7 +72,7 @@ class CompensationModel {
     Colour value{};  // before it is rounded and clamped
     int keys = 0;
   };
-  Pixel pixel(const vectors::CompensationInput& in, const vectors::RawMotion& m) const {
+  Pixel pixel(const model::CompensationInput& in, const model::RawMotion& m) const {
     const std::optional<Colour> a = key(in, m, 0), b = key(in, m, 1);
     Pixel out;
     out.keys = int(a.has_value()) | int(b.has_value()) << 1;
@@ -88,14 +88,14 @@ class CompensationModel {
   }
 
   // Tiles that a cache of 2 × 2 of them has not, for words in this order.
-  std::size_t misses(const vectors::CompensationInput& in, const std::vector<vectors::CompensatedPixel>& order,
+  std::size_t misses(const model::CompensationInput& in, const std::vector<model::CompensatedPixel>& order,
                      int k) const {
-    std::map<std::pair<int, int>, const vectors::RawMotion*> at;
-    for (const vectors::RawMotion& m : in.motion) at[{m.x, m.y}] = &m;
+    std::map<std::pair<int, int>, const model::RawMotion*> at;
+    for (const model::RawMotion& m : in.motion) at[{m.x, m.y}] = &m;
     std::map<std::pair<int, int>, std::pair<int, int>> cache;
     std::size_t missed = 0;
-    for (const vectors::CompensatedPixel& p : order) {
-      const vectors::RawMotion& m = *at.at({p.x, p.y});
+    for (const model::CompensatedPixel& p : order) {
+      const model::RawMotion& m = *at.at({p.x, p.y});
       if (m.face == 0 || !m.key[std::size_t(k)].there) continue;
       for (const auto& [x, y] : tiles(in, m, k)) {
         auto [slot, is_new] = cache.emplace(std::make_pair(x % 2, y % 2), std::make_pair(x, y));
@@ -130,8 +130,8 @@ class CompensationModel {
     for (std::size_t c = 0; c < 3; ++c) sum[c] += weight * colour[c];
   }
 
-  Tap tap_at(const vectors::CompensationInput& in, const vectors::RawMotion& m, int k, int x, int y) const {
-    const vectors::KeyFrame& key = *in.key[std::size_t(k)];
+  Tap tap_at(const model::CompensationInput& in, const model::RawMotion& m, int k, int x, int y) const {
+    const model::KeyFrame& key = *in.key[std::size_t(k)];
     if (x < 0 || y < 0 || x >= key.width || y >= key.height) return {false, {}};
     const std::size_t at = std::size_t(y) * key.width + x;
     return {key.face[at] == m.face, {double(key.rgb[at][0]), double(key.rgb[at][1]), double(key.rgb[at][2])}};
@@ -139,7 +139,7 @@ class CompensationModel {
 
   // Whether one of them matches that has a weight. The weight of the others goes to the one with the largest exact
   // weight; of two alike, to the first in the order of standing_tap.
-  bool of_four(const vectors::CompensationInput& in, const vectors::RawMotion& m, int k, int left, int top, double t,
+  bool of_four(const model::CompensationInput& in, const model::RawMotion& m, int k, int left, int top, double t,
                double u, Colour& sum) const {
     const KeyFilter filter = c_.filter == KeyFilter::kBicubic ? KeyFilter::kBilinear : c_.filter;
     const std::array<double, 4> columns = weights(filter, t), rows = weights(filter, u);
@@ -163,9 +163,9 @@ class CompensationModel {
     return standing.match;
   }
 
-  std::set<std::pair<int, int>> tiles(const vectors::CompensationInput& in, const vectors::RawMotion& m, int k) const {
-    const vectors::RawKeyVector& v = m.key[std::size_t(k)];
-    const vectors::KeyFrame& key = *in.key[std::size_t(k)];
+  std::set<std::pair<int, int>> tiles(const model::CompensationInput& in, const model::RawMotion& m, int k) const {
+    const model::RawKeyVector& v = m.key[std::size_t(k)];
+    const model::KeyFrame& key = *in.key[std::size_t(k)];
     const double x = place(m.x, v.x), y = place(m.y, v.y);
     const bool nearest = c_.filter == KeyFilter::kNearest, bicubic = c_.filter == KeyFilter::kBicubic;
     const int before = bicubic ? 1 : 0, after = bicubic ? 2 : nearest ? 0 : 1;
@@ -185,4 +185,4 @@ class CompensationModel {
 
 }  // namespace halfspace::tests
 
-#endif  // HALFSPACE_TESTS_COMPENSATE_MODEL_HPP_
+#endif  // HALFSPACE_TESTS_MOTION_COMPENSATE_MODEL_HPP_

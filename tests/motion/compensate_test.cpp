@@ -9,7 +9,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "ref/error.hpp"
-#include "ref/up_convert.hpp"
+#include "ref/motion/up_convert.hpp"
 
 namespace halfspace::ref {
 namespace {

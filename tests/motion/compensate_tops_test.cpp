@@ -2,10 +2,10 @@
 // The top function of motion_compensate, fields as plain integers, gives the words of the kernel, the same at run time.
 #include <gtest/gtest.h>
 
-#include "hls/motion_compensate.hpp"
+#include "hls/motion/motion_compensate.hpp"
 #include "hls/top/fields.hpp"
 #include "vectors/compensation_frames.hpp"
-#include "vectors/field_value.hpp"
+#include "model/formats/field_value.hpp"
 
 using TopKeyBlock = halfspace::KeyBlock<halfspace::TopFormats, halfspace::key_side(halfspace::TopFormats::kFilter)>;
 extern "C" void motion_compensate_top(int, int, int, const std::int64_t*, const TopKeyBlock*, const TopKeyBlock*,
@@ -17,7 +17,7 @@ namespace {
 using F = TopFormats;
 constexpr int kSide = key_side(F::kFilter);
 
-std::vector<TopKeyBlock> memory_of(const vectors::KeyFrame& key) {
+std::vector<TopKeyBlock> memory_of(const model::KeyFrame& key) {
   const int tiles_x = (key.width + 7) / 8, tiles_y = (key.height + 7) / 8;
   std::vector<TopKeyBlock> memory(std::size_t(tiles_x * tiles_y * blocks_a_tile(kSide)));
   for (int y = 0; y < key.height; ++y) {
@@ -36,20 +36,20 @@ std::vector<TopKeyBlock> memory_of(const vectors::KeyFrame& key) {
   return memory;
 }
 
-std::vector<std::int64_t> fields_of(const vectors::Layout& layout, const vectors::Word& word) {
+std::vector<std::int64_t> fields_of(const model::Layout& layout, const model::Word& word) {
   std::vector<std::int64_t> fields;
-  for (const vectors::Field& field : layout.fields) fields.push_back(vectors::field_value(word, field));
+  for (const model::Field& field : layout.fields) fields.push_back(model::field_value(word, field));
   return fields;
 }
 
 TEST(CompensateTop, GivesTheWordsOfTheKernel) {
-  const vectors::Compensator compensator(vectors::Configuration(F::config().name, F::config()));
+  const model::Compensator compensator(model::Configuration(F::config().name, F::config()));
   std::size_t compared = 0, shown = 0;
-  for (const vectors::NamedCompensation& frame : vectors::compensation_frames(F::config(), 5)) {
-    std::vector<vectors::StreamWords> streams;
+  for (const model::NamedCompensation& frame : model::compensation_frames(F::config(), 5)) {
+    std::vector<model::StreamWords> streams;
     compensator.capture(frame.input(), streams);
-    const vectors::StreamWords *motion = nullptr, *compensated = nullptr;
-    for (const vectors::StreamWords& stream : streams) {
+    const model::StreamWords *motion = nullptr, *compensated = nullptr;
+    for (const model::StreamWords& stream : streams) {
       if (stream.layout.stream == "motion") motion = &stream;
       if (stream.layout.stream == "compensated") compensated = &stream;
     }

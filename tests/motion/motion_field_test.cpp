@@ -7,31 +7,32 @@
 #include <cmath>
 #include <cstdio>
 
-#include "ref/motion_field.hpp"
-#include "ref/plane.hpp"
-#include "tests/motion_configs.hpp"
-#include "vectors/engine_impl.hpp"
+#include "ref/motion/motion_field.hpp"
+#include "ref/raster/plane.hpp"
+#include "tests/motion/motion_configs.hpp"
+#include "model/pipeline/engine_impl.hpp"
 #include "vectors/extremes.hpp"
-#include "vectors/field_value.hpp"
-#include "vectors/motion_bounds.hpp"
+#include "model/formats/field_value.hpp"
+#include "study/proofs/motion_bounds.hpp"
 #include "vectors/standard_set.hpp"
+#include "tests/config_path.hpp"
 
 namespace halfspace::tests {
 namespace {
 
 constexpr double kTiny = 1e-9;  // of doubles, pixels
 
-vectors::Configuration configuration_of(const Config& config) { return vectors::Configuration(config.name, config); }
+model::Configuration configuration_of(const Config& config) { return model::Configuration(config.name, config); }
 
 // What the kernels made of a frame.
 struct Field {
   ref::SnappedList list;
-  vectors::MotionFrame words;
+  model::MotionFrame words;
   std::vector<std::uint32_t> triangle;  // at each pixel
-  std::vector<vectors::RawMotion> motion;
+  std::vector<model::RawMotion> motion;
 };
 
-Field field_of(vectors::Engine& engine, const ref::SnappedList& list, const vectors::MotionFrame& words) {
+Field field_of(model::Engine& engine, const ref::SnappedList& list, const model::MotionFrame& words) {
   engine.move(words);
   return {list, words, engine.render(list).index, engine.motion(list, nullptr)};
 }
@@ -63,7 +64,7 @@ struct Exact {
   glm::dvec2 place;  // less the origin, in units of 2^e
   double q, distance, least, spread;
 };
-Exact exact_at(const ref::SnappedTriangle& triangle, const vectors::RawKeyPlaces& key, int x, int y,
+Exact exact_at(const ref::SnappedTriangle& triangle, const model::RawKeyPlaces& key, int x, int y,
                const Config& config) {
   const int s = config.subpixel_bits;
   const ref::OrderedTriangle t(triangle);
@@ -91,11 +92,11 @@ Exact exact_at(const ref::SnappedTriangle& triangle, const vectors::RawKeyPlaces
 
 class MotionFieldTest : public testing::TestWithParam<const char*> {
  protected:
-  const vectors::Configuration configuration_ =
-      vectors::find_configuration(std::string(HALFSPACE_SOURCE) + "/tests/configs/" + GetParam() + ".toml");
+  const model::Configuration configuration_ =
+      model::find_configuration(config_path(GetParam()));
   const Config config_ = configuration_.config();
-  const ref::RasterFormat format_ = vectors::raster_format(configuration_);
-  const std::unique_ptr<vectors::Engine> engine_ = vectors::make_engine(configuration_, 4);
+  const ref::RasterFormat format_ = model::raster_format(configuration_);
+  const std::unique_ptr<model::Engine> engine_ = model::make_engine(configuration_, 4);
   const double unit_ = std::ldexp(1.0, -config_.vector_fraction), range_ = std::ldexp(1.0, config_.vector_range);
 
   ref::Between between(const std::string& name, double first, double second, double a, int width = 160,
@@ -105,7 +106,7 @@ class MotionFieldTest : public testing::TestWithParam<const char*> {
                        ref::load_scene(name, time), a, view_of(format_, width, height));
   }
   Field drawn(const ref::Between& motion) const {
-    return field_of(*engine_, ref::snap(motion.list, format_), vectors::motion_frame(motion, config_));
+    return field_of(*engine_, ref::snap(motion.list, format_), model::motion_frame(motion, config_));
   }
 };
 
@@ -144,10 +145,10 @@ TEST_P(MotionFieldTest, AnimationsAreWithinTheBound) {
       for (const auto& word : field.motion) {
         const std::size_t at = std::size_t(word.y) * field.list.width + word.x;
         const std::uint32_t k = field.triangle[at];
-        ASSERT_EQ(int(word.face), vectors::face_number(motion.traces[k - 1].face, config_));
+        ASSERT_EQ(int(word.face), model::face_number(motion.traces[k - 1].face, config_));
         if (k != exact.triangle[at]) continue;  // surfaces closer than an LSB of depth
         for (int key = 0; key < ref::kKeys; ++key) {
-          const vectors::RawKeyPlaces& words = field.words.triangles[k - 1].key[key];
+          const model::RawKeyPlaces& words = field.words.triangles[k - 1].key[key];
           if (!words.there) {
             ASSERT_FALSE(word.key[key].there) << name;
             continue;
@@ -156,8 +157,8 @@ TEST_P(MotionFieldTest, AnimationsAreWithinTheBound) {
           const Exact at_pixel = exact_at(field.list.triangles[k - 1], words, word.x, word.y, config_);
           const double part = std::max(at_pixel.place.x, at_pixel.place.y);
           const double bound =
-              vectors::motion_bound(config_, words.extent, part, at_pixel.q, at_pixel.distance) +
-              vectors::motion_vertex_bound(config_, words.extent, at_pixel.spread, at_pixel.q, at_pixel.least) + kTiny;
+              model::motion_bound(config_, words.extent, part, at_pixel.q, at_pixel.distance) +
+              model::motion_vertex_bound(config_, words.extent, at_pixel.spread, at_pixel.q, at_pixel.least) + kTiny;
           const glm::dvec2 vector = *exact.to_key[key][at];
           if (!word.key[key].there) {
             ++beyond;
@@ -195,10 +196,10 @@ TEST_P(MotionFieldTest, AffineFieldsAreThoseOfTheReference) {
       if (k != exact.triangle[at]) continue;
       for (int key = 0; key < ref::kKeys; ++key) {
         if (!word.key[key].there) continue;
-        const vectors::RawKeyPlaces& words = field.words.triangles[k - 1].key[key];
+        const model::RawKeyPlaces& words = field.words.triangles[k - 1].key[key];
         const Exact at_pixel = exact_at(field.list.triangles[k - 1], words, word.x, word.y, config_);
-        const double bound = vectors::motion_bound(config_, words.extent, 1, at_pixel.q, at_pixel.distance) +
-                             vectors::motion_vertex_bound(config_, words.extent, 1, at_pixel.q, at_pixel.least) +
+        const double bound = model::motion_bound(config_, words.extent, 1, at_pixel.q, at_pixel.distance) +
+                             model::motion_vertex_bound(config_, words.extent, 1, at_pixel.q, at_pixel.least) +
                              std::ldexp(1.0, -config_.subpixel_bits) + kTiny;
         ASSERT_LE(std::abs(word.key[key].x * unit_ - exact.to_key[key][at]->x), bound) << name;
         ASSERT_LE(std::abs(word.key[key].y * unit_ - exact.to_key[key][at]->y), bound) << name;
@@ -283,9 +284,9 @@ TEST_P(OneTriangle, KeysAreThereOrNotEachForItself) {
 
 TEST_P(OneTriangle, FaceNumbersBeginAgain) {
   const std::uint32_t faces = (1u << config_.face_bits) - 1;
-  EXPECT_EQ(vectors::face_number(1, config_), 1);
-  EXPECT_EQ(vectors::face_number(faces, config_), int(faces));
-  EXPECT_EQ(vectors::face_number(faces + 1, config_), 1);
+  EXPECT_EQ(model::face_number(1, config_), 1);
+  EXPECT_EQ(model::face_number(faces, config_), int(faces));
+  EXPECT_EQ(model::face_number(faces + 1, config_), 1);
 }
 
 // A frame whose last stamp is background ends with a word of face 0, and one without a triangle is that word alone.
@@ -294,16 +295,16 @@ TEST_P(OneTriangle, TheEndOfAFrameIsAWord) {
   ref::SnappedList none = field.list;
   none.triangles.clear();
   for (const bool drawn : {true, false}) {
-    engine_->move(drawn ? field.words : vectors::MotionFrame{});
+    engine_->move(drawn ? field.words : model::MotionFrame{});
     std::size_t words = 0, lasts = 0, of_no_face = 0;
     engine_->capture(drawn ? field.list : none,
-                     [&](const vectors::Layout& layout, const vectors::Word* word, std::size_t count) {
+                     [&](const model::Layout& layout, const model::Word* word, std::size_t count) {
                        if (layout.stream != "motion") return;
                        words = count;
                        for (std::size_t n = 0; n < count; ++n) {
-                         const bool last = vectors::field_value(word[n], vectors::field_named(layout, "last")) != 0;
+                         const bool last = model::field_value(word[n], model::field_named(layout, "last")) != 0;
                          lasts += last;
-                         of_no_face += vectors::field_value(word[n], vectors::field_named(layout, "face")) == 0;
+                         of_no_face += model::field_value(word[n], model::field_named(layout, "face")) == 0;
                          EXPECT_EQ(last, n + 1 == count);
                        }
                      });
@@ -315,23 +316,23 @@ TEST_P(OneTriangle, TheEndOfAFrameIsAWord) {
 
 // Words as no scene has them, on triangles of all kinds, slivers among them: against the exact planes of the words.
 TEST_P(MotionFieldTest, AwkwardWordsAreWithinTheBound) {
-  std::vector<vectors::NamedFrame> frames = vectors::sliver_frames(format_);
-  for (auto& frame : vectors::random_frames(format_, 3, 4, 60)) frames.push_back(std::move(frame));
+  std::vector<model::NamedFrame> frames = model::sliver_frames(format_);
+  for (auto& frame : model::random_frames(format_, 3, 4, 60)) frames.push_back(std::move(frame));
   double share = 0, difference_share = 0;
   std::size_t compared = 0, out_of_range = 0;
   for (std::size_t n = 0; n < frames.size(); ++n) {
     const ref::SnappedList& list = frames[n].scene;
-    const Field field = field_of(*engine_, list, vectors::awkward_motion(list, config_, n + 1));
+    const Field field = field_of(*engine_, list, model::awkward_motion(list, config_, n + 1));
     for (const auto& word : field.motion) {
       const std::uint32_t k = field.triangle[std::size_t(word.y) * list.width + word.x];
       for (int key = 0; key < ref::kKeys; ++key) {
-        const vectors::RawKeyPlaces& words = field.words.triangles[k - 1].key[key];
+        const model::RawKeyPlaces& words = field.words.triangles[k - 1].key[key];
         if (!words.there) {
           ASSERT_FALSE(word.key[key].there);
           continue;
         }
         const Exact exact = exact_at(list.triangles[k - 1], words, word.x, word.y, config_);
-        const double bound = vectors::motion_bound(config_, words.extent, std::max(exact.place.x, exact.place.y),
+        const double bound = model::motion_bound(config_, words.extent, std::max(exact.place.x, exact.place.y),
                                                    exact.q, exact.distance) +
                              kTiny;
         const glm::dvec2 vector = glm::dvec2(words.origin_x, words.origin_y) +
@@ -355,7 +356,7 @@ TEST_P(MotionFieldTest, AwkwardWordsAreWithinTheBound) {
           double difference = -std::ldexp(1.0, difference_bits(config_) - 1);
           for (int v = 0; v < 3; ++v) difference += weight[v] * words.difference[c][v];
           const double error = std::abs(word.key[key].difference[c] - difference);
-          const double limit = vectors::difference_bound(config_, exact.distance) + kTiny;
+          const double limit = model::difference_bound(config_, exact.distance) + kTiny;
           ASSERT_LE(error, limit);
           difference_share = std::max(difference_share, error / limit);
         }
@@ -377,16 +378,16 @@ INSTANTIATE_TEST_SUITE_P(Configurations, OneTriangle,
 // The kernels as compiled for a configuration give the words that they give with formats read at run time.
 template <class C>
 void expect_compiled_words() {
-  const vectors::Configuration configuration = configuration_of(C::config());
-  const std::unique_ptr<vectors::Engine> compiled = std::make_unique<vectors::KernelEngine<Formats<C, Stamp4>>>();
-  const auto read = vectors::make_engine(configuration, 4);
+  const model::Configuration configuration = configuration_of(C::config());
+  const std::unique_ptr<model::Engine> compiled = std::make_unique<model::KernelEngine<Formats<C, Stamp4>>>();
+  const auto read = model::make_engine(configuration, 4);
   std::size_t compared = 0;
-  for (const auto& frame : vectors::random_frames(vectors::raster_format(configuration), 5, 2, 60)) {
-    const vectors::MotionFrame words = vectors::awkward_motion(frame.scene, C::config(), 9);
+  for (const auto& frame : model::random_frames(model::raster_format(configuration), 5, 2, 60)) {
+    const model::MotionFrame words = model::awkward_motion(frame.scene, C::config(), 9);
     const Field a = field_of(*compiled, frame.scene, words), b = field_of(*read, frame.scene, words);
     ASSERT_EQ(a.motion.size(), b.motion.size());
     for (std::size_t n = 0; n < a.motion.size(); ++n) {
-      const vectors::RawMotion &x = a.motion[n], &y = b.motion[n];
+      const model::RawMotion &x = a.motion[n], &y = b.motion[n];
       ASSERT_TRUE(x.x == y.x && x.y == y.y && x.face == y.face);
       for (int key = 0; key < ref::kKeys; ++key) {
         ASSERT_TRUE(x.key[key].there == y.key[key].there && x.key[key].x == y.key[key].x &&

@@ -5,10 +5,10 @@
 #include <limits>
 #include <memory>
 
-#include "hls/motion_field.hpp"
-#include "hls/motion_setup.hpp"
+#include "hls/motion/motion_field.hpp"
+#include "hls/motion/motion_setup.hpp"
 #include "hls/top/fields.hpp"
-#include "vectors/motion_records.hpp"
+#include "model/motion/motion_records.hpp"
 #include "vectors/standard_set.hpp"
 
 using TopMotionDatabase = halfspace::MotionDatabase<halfspace::TopFormats>;
@@ -32,11 +32,11 @@ std::vector<std::int64_t> fields_of(const Record& record, int count) {
 }
 
 TEST(MotionFieldTops, GiveTheWordsOfTheKernels) {
-  const vectors::Configuration configuration(F::config().name, F::config());
+  const model::Configuration configuration(F::config().name, F::config());
   const auto database = std::make_unique<TopMotionDatabase>();
   std::size_t planes = 0, words = 0, ends = 0;
-  for (const vectors::NamedFrame& frame : vectors::random_frames(vectors::raster_format(configuration), 5, 4, 60)) {
-    const vectors::MotionFrame motion = vectors::awkward_motion(frame.scene, F::config(), 5);
+  for (const model::NamedFrame& frame : model::random_frames(model::raster_format(configuration), 5, 4, 60)) {
+    const model::MotionFrame motion = model::awkward_motion(frame.scene, F::config(), 5);
     Frame<F> registers{};
     registers.width = from_raw<F::X>(frame.scene.width);
     registers.height = from_raw<F::Y>(frame.scene.height);
@@ -57,7 +57,7 @@ TEST(MotionFieldTops, GiveTheWordsOfTheKernels) {
       setup.read();
       const Attributes<F> in = attributes.read();
       if (raw(in.empty)) continue;
-      const MotionVectors<F> given = vectors::vectors_record<F>(motion.triangles[k], int(k) + 1, false);
+      const MotionVectors<F> given = model::vectors_record<F>(motion.triangles[k], int(k) + 1, false);
       std::vector<std::int64_t> got(std::size_t(kMotionPlanesFields) + 1, kNoField);
       motion_setup_top(fields_of(in, kAttributesFields).data(), fields_of(given, kMotionVectorsFields).data(),
                        got.data());

@@ -8,8 +8,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "ref/error.hpp"
-#include "ref/motion_field.hpp"
-#include "ref/raster.hpp"
+#include "ref/motion/motion_field.hpp"
+#include "ref/raster/raster.hpp"
 
 namespace halfspace::ref {
 namespace {

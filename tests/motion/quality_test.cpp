@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The measures of quality against numbers worked out by hand.
-#include "ref/quality.hpp"
+#include "ref/motion/quality.hpp"
 
 #include <gtest/gtest.h>
 

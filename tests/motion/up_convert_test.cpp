@@ -6,15 +6,16 @@
 #include <cstdio>
 
 #include "ref/error.hpp"
-#include "ref/quality.hpp"
-#include "vectors/texture.hpp"
-#include "vectors/up_convert.hpp"
+#include "ref/motion/quality.hpp"
+#include "model/texture/texture.hpp"
+#include "model/drivers/up_convert.hpp"
+#include "tests/config_path.hpp"
 
 namespace halfspace {
 namespace {
 
-using vectors::Configuration;
-using vectors::KernelUpConverter;
+using model::Configuration;
+using model::KernelUpConverter;
 
 constexpr double kRate = 30;
 
@@ -39,18 +40,18 @@ struct Kind {
 };
 
 Configuration colour_of(const Kind& kind) {
-  const Configuration named = vectors::find_configuration(kind.config);
-  return kind.textured ? vectors::textured_configuration(named, TextureFilter::kBilinear) : named;
+  const Configuration named = model::find_configuration(kind.config);
+  return kind.textured ? model::textured_configuration(named, TextureFilter::kBilinear) : named;
 }
 
 ref::Scene scene_at(const Animation& animation, int n, const Config& colour) {
   ref::Scene scene = ref::load_scene(animation.scene, (animation.first + n) / kRate, has_texture(colour));
-  if (has_texture(colour)) vectors::fit_textures(scene, colour);
+  if (has_texture(colour)) model::fit_textures(scene, colour);
   return scene;
 }
 
 ref::UpConversion reference_of(const Kind& kind, const Configuration& colour) {
-  ref::UpConversion mode{kind.width, kind.height, vectors::raster_format(colour)};
+  ref::UpConversion mode{kind.width, kind.height, model::raster_format(colour)};
   mode.samples = kind.samples;
   mode.mapping = ref::VectorMapping::kPerspective;
   mode.relight = true;
@@ -63,10 +64,10 @@ class UpConversion : public testing::TestWithParam<Kind> {};
 TEST_P(UpConversion, IsNearToWhatIsRendered) {
   const Kind& kind = GetParam();
   const Configuration colour = colour_of(kind);
-  Config numbers = vectors::default_motion(colour.config());
+  Config numbers = model::default_motion(colour.config());
   numbers.samples = kind.samples;
   const Configuration motion =
-      vectors::motion_configuration(colour, numbers, kind.width * kind.samples, kind.height * kind.samples);
+      model::motion_configuration(colour, numbers, kind.width * kind.samples, kind.height * kind.samples);
   KernelUpConverter kernels({kind.width, kind.height, colour, motion});
   double kernel_mean = 0, reference_mean = 0, average_mean = 0;
   for (const Animation& animation : kAnimations) {
@@ -77,7 +78,7 @@ TEST_P(UpConversion, IsNearToWhatIsRendered) {
     std::uint64_t covered = 0, words = 0;
     for (const int n : kind.between) {
       const ref::Scene between = scene_at(animation, n, colour.config());
-      const vectors::KernelFrameBetween frame = kernels.at(between, n / 5.0);
+      const model::KernelFrameBetween frame = kernels.at(between, n / 5.0);
       const auto against = [&](const ref::Colours& picture) { return ref::quality(picture, frame.rendered, kind.width, kind.height); };
       made.add(against(frame.colour));
       average.add(against(ref::temporal_average(kernels.key_colour(0), kernels.key_colour(1))));
@@ -117,9 +118,9 @@ TEST(UpConversionFormats, FewBitsCostQuality) {
   const Configuration colour = colour_of(kind);
   const Animation& animation = kAnimations[3];  // large faces that turn
   const auto psnr = [&](void (*change)(Config&), bool half) {
-    Config numbers = vectors::default_motion(colour.config());
+    Config numbers = model::default_motion(colour.config());
     change(numbers);
-    KernelUpConverter kernels({320, 240, colour, vectors::motion_configuration(colour, numbers, 320, 240), ref::MotionMethod::kExact, half});
+    KernelUpConverter kernels({320, 240, colour, model::motion_configuration(colour, numbers, 320, 240), ref::MotionMethod::kExact, half});
     kernels.set_keys(scene_at(animation, 0, colour.config()), scene_at(animation, 5, colour.config()));
     const auto frame = kernels.at(scene_at(animation, 2, colour.config()), 0.4);
     return ref::quality(frame.colour, frame.rendered, 320, 240).psnr_y;
@@ -132,9 +133,9 @@ TEST(UpConversionFormats, FewBitsCostQuality) {
 }
 
 TEST(UpConversionFormats, RefusesWhatDoesNotFit) {
-  const Configuration middle = vectors::find_configuration("middle"), low = vectors::find_configuration("low");
-  Config numbers = vectors::default_motion(low.config());
-  const Configuration motion = vectors::motion_configuration(low, numbers, 320, 200);
+  const Configuration middle = model::find_configuration("middle"), low = model::find_configuration("low");
+  Config numbers = model::default_motion(low.config());
+  const Configuration motion = model::motion_configuration(low, numbers, 320, 200);
   try {
     KernelUpConverter({320, 200, middle, motion});
     FAIL() << "middle and low share no grid";
@@ -142,9 +143,9 @@ TEST(UpConversionFormats, RefusesWhatDoesNotFit) {
     EXPECT_NE(std::string(e.what()).find("range_bits differs"), std::string::npos) << e.what();
   }
   numbers.samples = 2;
-  EXPECT_THROW(KernelUpConverter({160, 100, low, vectors::motion_configuration(low, numbers, 320, 200), ref::MotionMethod::kExact, true}),
+  EXPECT_THROW(KernelUpConverter({160, 100, low, model::motion_configuration(low, numbers, 320, 200), ref::MotionMethod::kExact, true}),
                ref::Error);
-  EXPECT_THROW(KernelUpConverter({160, 100, vectors::find_configuration(HALFSPACE_SOURCE "/tests/configs/lit_low.toml"), motion}), ref::Error);
+  EXPECT_THROW(KernelUpConverter({160, 100, model::find_configuration(config_path("lit_low")), motion}), ref::Error);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "hls/fixed.hpp"
+#include "hls/numbers/fixed.hpp"
 
 namespace halfspace::tests {
 namespace {

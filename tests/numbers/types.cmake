@@ -5,17 +5,17 @@ set(HALFSPACE_AC_TYPES "" CACHE PATH "Folder of Siemens' ac_fixed.h and ac_chann
 # halfspace_types(NAME [option …]): the tests on the numbers of halfspace_types_NAME, with options for the compiler.
 function(halfspace_types name)
   # Operators of hundreds of formats, each used a few hundred times: compiling is what costs.
-  add_executable(types_test_${name} EXCLUDE_FROM_ALL types_test.cpp)
+  add_executable(types_test_${name} EXCLUDE_FROM_ALL numbers/types_test.cpp)
   target_compile_options(types_test_${name} PRIVATE -O0)
-  add_executable(fixed_test_${name} EXCLUDE_FROM_ALL fixed_test.cpp)
+  add_executable(fixed_test_${name} EXCLUDE_FROM_ALL numbers/fixed_test.cpp)
   foreach(test types_test fixed_test)
     target_link_libraries(${test}_${name} PRIVATE GTest::gtest_main halfspace_hls halfspace_types_${name})
     add_test(NAME ${test}_${name} COMMAND ${test}_${name} --gtest_brief=1)
   endforeach()
 
-  add_library(types_engine_${name} OBJECT EXCLUDE_FROM_ALL types_engine.cpp)
-  target_link_libraries(types_engine_${name} PUBLIC halfspace_vectors halfspace_types_${name})
-  add_executable(types_run_${name} EXCLUDE_FROM_ALL types_run.cpp)
+  add_library(types_engine_${name} OBJECT EXCLUDE_FROM_ALL numbers/types_engine.cpp)
+  target_link_libraries(types_engine_${name} PUBLIC halfspace_study halfspace_types_${name})
+  add_executable(types_run_${name} EXCLUDE_FROM_ALL numbers/types_run.cpp)
   target_link_libraries(types_run_${name} PRIVATE types_engine_${name} nlohmann_json::nlohmann_json)
   target_compile_options(types_engine_${name} PRIVATE -O2)
   add_test(NAME types_run_${name} COMMAND types_run_${name} ${PROJECT_SOURCE_DIR}/vectors/standard
@@ -27,6 +27,7 @@ function(halfspace_types name)
   add_library(types_tops_${name} OBJECT EXCLUDE_FROM_ALL ${tops})
   set_target_properties(types_tops_${name} PROPERTIES CXX_STANDARD 14)
   target_link_libraries(types_tops_${name} PRIVATE halfspace_types_${name})
+  target_include_directories(types_tops_${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_compile_options(types_tops_${name} PRIVATE -fno-exceptions)
   add_library(types_object_tops_${name} OBJECT EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/hls/top/ztest_merge_top.cpp
               ${PROJECT_SOURCE_DIR}/hls/top/scan_object_top.cpp)
@@ -34,7 +35,7 @@ function(halfspace_types name)
   target_link_libraries(types_object_tops_${name} PRIVATE halfspace_types_${name})
   target_include_directories(types_object_tops_${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_compile_definitions(types_object_tops_${name} PRIVATE HALFSPACE_TOP_CONFIG=ObjectsMiddle)
-  target_compile_options(types_object_tops_${name} PRIVATE -fno-exceptions -include ${CMAKE_CURRENT_SOURCE_DIR}/object_configs.hpp)
+  target_compile_options(types_object_tops_${name} PRIVATE -fno-exceptions -include ${CMAKE_CURRENT_SOURCE_DIR}/objects/object_configs.hpp)
 
   foreach(target types_test_${name} fixed_test_${name} types_engine_${name} types_run_${name} types_tops_${name} types_object_tops_${name})
     halfspace_warnings(${target})
@@ -44,7 +45,7 @@ function(halfspace_types name)
 endfunction()
 
 pkg_check_modules(SYSTEMC REQUIRED IMPORTED_TARGET systemc)
-add_library(types_sc_main OBJECT EXCLUDE_FROM_ALL types_sc_main.cpp)
+add_library(types_sc_main OBJECT EXCLUDE_FROM_ALL numbers/types_sc_main.cpp)
 add_library(halfspace_types_systemc INTERFACE)
 target_compile_definitions(halfspace_types_systemc INTERFACE HALFSPACE_TYPES_SYSTEMC)
 target_link_libraries(halfspace_types_systemc INTERFACE PkgConfig::SYSTEMC $<TARGET_OBJECTS:types_sc_main>)
@@ -81,9 +82,9 @@ if(TARGET types_tops_ac AND EXISTS ${HALFSPACE_AC_TYPES}/ac_channel.h)
 endif()
 
 # The same frame on each kind of numbers. The objects alone: the benchmark itself is on none of them.
-add_executable(types_benchmark EXCLUDE_FROM_ALL types_benchmark.cpp $<TARGET_OBJECTS:types_engine_systemc>
+add_executable(types_benchmark EXCLUDE_FROM_ALL numbers/types_benchmark.cpp $<TARGET_OBJECTS:types_engine_systemc>
                $<TARGET_OBJECTS:types_sc_main>)
-target_link_libraries(types_benchmark PRIVATE halfspace_vectors benchmark::benchmark PkgConfig::SYSTEMC)
+target_link_libraries(types_benchmark PRIVATE halfspace_study benchmark::benchmark PkgConfig::SYSTEMC)
 foreach(name ap ac)
   if(TARGET types_engine_${name})
     string(TOUPPER ${name} macro)

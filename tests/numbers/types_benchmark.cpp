@@ -7,9 +7,9 @@
 #include <functional>
 #include <map>
 
-#include "ref/geometry.hpp"
-#include "ref/scene.hpp"
-#include "tests/types_engine.hpp"
+#include "ref/geometry/geometry.hpp"
+#include "ref/scene/scene.hpp"
+#include "tests/numbers/types_engine.hpp"
 
 namespace {
 
@@ -17,16 +17,16 @@ using namespace halfspace;
 using Picture = std::vector<std::array<std::uint8_t, 4>>;
 
 const ref::SnappedList& scene() {
-  static const ref::RasterFormat format = vectors::raster_format("middle");
+  static const ref::RasterFormat format = model::raster_format("middle");
   static const ref::SnappedList list =
       ref::snap(ref::project(ref::load_scene("teapot"), {160, 120, format.range_bits, format.subpixel_bits}), format);
   return list;
 }
 
-void frame(benchmark::State& state, const std::function<std::unique_ptr<vectors::Engine>()>& make) {
+void frame(benchmark::State& state, const std::function<std::unique_ptr<model::Engine>()>& make) {
   const auto engine = make();
   Picture colour, native;
-  vectors::make_engine("middle", tests::kTypesLanes)->render_colour(scene(), native);
+  model::make_engine("middle", tests::kTypesLanes)->render_colour(scene(), native);
   for (auto _ : state) {
     engine->render_colour(scene(), colour);
     benchmark::DoNotOptimize(colour.data());
@@ -64,10 +64,10 @@ class Reporter : public benchmark::ConsoleReporter {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const auto add = [](const char* name, const std::function<std::unique_ptr<vectors::Engine>()>& make) {
+  const auto add = [](const char* name, const std::function<std::unique_ptr<model::Engine>()>& make) {
     benchmark::RegisterBenchmark(name, frame, make)->Unit(benchmark::kMillisecond);
   };
-  add("native", [] { return vectors::make_engine("middle", tests::kTypesLanes); });
+  add("native", [] { return model::make_engine("middle", tests::kTypesLanes); });
   add("systemc", [] { return tests::make_systemc_engine("middle"); });
 #ifdef HALFSPACE_BENCHMARK_AP
   add("ap", [] { return tests::make_ap_engine("middle"); });

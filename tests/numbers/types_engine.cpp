@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/types_engine.hpp"
+#include "tests/numbers/types_engine.hpp"
 
-#include "hls/configs/high.hpp"
-#include "hls/configs/low.hpp"
-#include "hls/configs/middle.hpp"
-#include "tests/feature_configs.hpp"
-#include "tests/object_configs.hpp"
-#include "vectors/engine_impl.hpp"
-#include "vectors/merge_impl.hpp"
+#include "hls/formats/configs/high.hpp"
+#include "hls/formats/configs/low.hpp"
+#include "hls/formats/configs/middle.hpp"
+#include "tests/formats/feature_configs.hpp"
+#include "tests/objects/object_configs.hpp"
+#include "model/pipeline/engine_impl.hpp"
+#include "model/objects/merge_impl.hpp"
 
 #if defined(HALFSPACE_TYPES_SYSTEMC)
 #define HS_MAKE_ENGINE make_systemc_engine
@@ -33,14 +33,14 @@ struct OwnGamma : Gamma {};
 struct OwnObjects : ObjectsMiddle {};
 
 template <class C>
-std::unique_ptr<vectors::Engine> make() {
+std::unique_ptr<model::Engine> make() {
   static_assert(Stamp4::kX * Stamp4::kY == kTypesLanes, "the lanes that the header promises");
-  return std::make_unique<vectors::KernelEngine<Formats<C, Stamp4>>>();
+  return std::make_unique<model::KernelEngine<Formats<C, Stamp4>>>();
 }
 
 }  // namespace
 
-std::unique_ptr<vectors::Engine> HS_MAKE_ENGINE(const std::string& config) {
+std::unique_ptr<model::Engine> HS_MAKE_ENGINE(const std::string& config) {
   return config == Low::config().name             ? make<OwnLow>()
          : config == Middle::config().name        ? make<OwnMiddle>()
          : config == High::config().name          ? make<OwnHigh>()
@@ -50,9 +50,9 @@ std::unique_ptr<vectors::Engine> HS_MAKE_ENGINE(const std::string& config) {
                                                   : nullptr;
 }
 
-std::vector<vectors::StreamWords> HS_MERGE(const vectors::MergeInput& input) {
-  std::vector<vectors::StreamWords> streams;
-  vectors::merge_run<Formats<OwnObjects, Stamp4>>(input, &streams);
+std::vector<model::StreamWords> HS_MERGE(const model::MergeInput& input) {
+  std::vector<model::StreamWords> streams;
+  model::merge_run<Formats<OwnObjects, Stamp4>>(input, &streams);
   return streams;
 }
 

@@ -1,28 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 // The kernels of the named configurations, of one without depth and gradients, of type γ, and of one with objects, with 4 lanes, on the
 // numbers that types_engine.cpp was compiled with. It is compiled once for each library, and the objects may stand in one program.
-#ifndef HALFSPACE_TESTS_TYPES_ENGINE_HPP_
-#define HALFSPACE_TESTS_TYPES_ENGINE_HPP_
+#ifndef HALFSPACE_TESTS_NUMBERS_TYPES_ENGINE_HPP_
+#define HALFSPACE_TESTS_NUMBERS_TYPES_ENGINE_HPP_
 
 #include <memory>
 #include <string>
 
-#include "vectors/engine.hpp"
-#include "vectors/merge.hpp"
+#include "model/pipeline/engine.hpp"
+#include "model/objects/merge.hpp"
 
 namespace halfspace::tests {
 
 constexpr int kTypesLanes = 4;
 
-std::unique_ptr<vectors::Engine> make_systemc_engine(const std::string& config);
-std::unique_ptr<vectors::Engine> make_ap_engine(const std::string& config);
-std::unique_ptr<vectors::Engine> make_ac_engine(const std::string& config);
+std::unique_ptr<model::Engine> make_systemc_engine(const std::string& config);
+std::unique_ptr<model::Engine> make_ap_engine(const std::string& config);
+std::unique_ptr<model::Engine> make_ac_engine(const std::string& config);
 
 // The words of a run of ztest_merge in ObjectsMiddle.
-std::vector<vectors::StreamWords> systemc_merge(const vectors::MergeInput&);
-std::vector<vectors::StreamWords> ap_merge(const vectors::MergeInput&);
-std::vector<vectors::StreamWords> ac_merge(const vectors::MergeInput&);
+std::vector<model::StreamWords> systemc_merge(const model::MergeInput&);
+std::vector<model::StreamWords> ap_merge(const model::MergeInput&);
+std::vector<model::StreamWords> ac_merge(const model::MergeInput&);
 
 }  // namespace halfspace::tests
 
-#endif  // HALFSPACE_TESTS_TYPES_ENGINE_HPP_
+#endif  // HALFSPACE_TESTS_NUMBERS_TYPES_ENGINE_HPP_

@@ -12,9 +12,9 @@
 #include <nlohmann/json.hpp>
 
 #include "ref/error.hpp"
-#include "tests/feature_configs.hpp"
-#include "tests/object_configs.hpp"
-#include "tests/types_engine.hpp"
+#include "tests/formats/feature_configs.hpp"
+#include "tests/objects/object_configs.hpp"
+#include "tests/numbers/types_engine.hpp"
 #include "vectors/merge_frames.hpp"
 #include "vectors/standard_set.hpp"
 
@@ -29,7 +29,7 @@
 #define HS_MERGE ac_merge
 #endif
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 // In the place of the native engines: write_vector_set() finds this one first. An object of the library that defines it
 // again would be an error of the linker.
@@ -37,7 +37,7 @@ std::unique_ptr<Engine> make_engine(const Configuration& configuration, int) {
   return tests::HS_MAKE_ENGINE(configuration.name());
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
 namespace halfspace::tests {
 namespace {
@@ -46,17 +46,17 @@ using nlohmann::json;
 
 constexpr int kStreams = 9, kMergeStreams = 5;
 
-std::vector<vectors::NamedFrame> standard_frames(const vectors::Configuration& configuration) {
-  const ref::RasterFormat format = vectors::raster_format(configuration);
-  std::vector<vectors::NamedFrame> frames = vectors::corner_frames(format);
-  for (auto& frame : vectors::random_frames(format, 1, 4, 60)) frames.push_back(std::move(frame));
+std::vector<model::NamedFrame> standard_frames(const model::Configuration& configuration) {
+  const ref::RasterFormat format = model::raster_format(configuration);
+  std::vector<model::NamedFrame> frames = model::corner_frames(format);
+  for (auto& frame : model::random_frames(format, 1, 4, 60)) frames.push_back(std::move(frame));
   return frames;
 }
 
 // Both return how many streams are equal.
-int expect_manifest(const vectors::Configuration& configuration, const std::filesystem::path& manifests,
+int expect_manifest(const model::Configuration& configuration, const std::filesystem::path& manifests,
                     const std::string& folder) {
-  const json written = json::parse(vectors::write_vector_set(folder, {"standard", configuration, kTypesLanes, 1},
+  const json written = json::parse(model::write_vector_set(folder, {"standard", configuration, kTypesLanes, 1},
                                                              standard_frames(configuration), nullptr));
   const std::filesystem::path path = manifests / (configuration.name() + ".json");
   std::ifstream file(path);
@@ -76,22 +76,22 @@ int expect_manifest(const vectors::Configuration& configuration, const std::file
   return equal;
 }
 
-int expect_native(const vectors::Configuration& configuration) {
+int expect_native(const model::Configuration& configuration) {
   const Config config = configuration.config();
-  const std::vector<vectors::NamedFrame> frames = standard_frames(configuration);
+  const std::vector<model::NamedFrame> frames = standard_frames(configuration);
   using Texts = std::map<std::string, std::string>;
-  const auto streams_of = [&](vectors::Engine& engine) {
+  const auto streams_of = [&](model::Engine& engine) {
     Texts texts;
-    for (const vectors::NamedFrame& frame : frames) {
-      vectors::load_frame(engine, config, frame);
-      engine.capture(frame.scene, [&](const vectors::Layout& layout, const vectors::Word* words, std::size_t count) {
-        for (std::size_t n = 0; n < count; ++n) vectors::append_hex(texts[layout.stream] += ' ', words[n], layout.bits);
+    for (const model::NamedFrame& frame : frames) {
+      model::load_frame(engine, config, frame);
+      engine.capture(frame.scene, [&](const model::Layout& layout, const model::Word* words, std::size_t count) {
+        for (std::size_t n = 0; n < count; ++n) model::append_hex(texts[layout.stream] += ' ', words[n], layout.bits);
       });
     }
     return texts;
   };
-  const Texts here = streams_of(*vectors::make_engine(configuration, kTypesLanes));
-  Texts native = streams_of(*vectors::make_runtime_engine(config, format_table(config), kTypesLanes));
+  const Texts here = streams_of(*model::make_engine(configuration, kTypesLanes));
+  Texts native = streams_of(*model::make_runtime_engine(config, format_table(config), kTypesLanes));
   int equal = 0;
   for (const auto& [stream, words] : here) {
     const bool same = words == native[stream];
@@ -103,13 +103,13 @@ int expect_native(const vectors::Configuration& configuration) {
 }
 
 // Those of ztest_merge, run by run.
-int expect_merge(const vectors::Configuration& configuration) {
-  const vectors::Merger native(configuration, kTypesLanes);
+int expect_merge(const model::Configuration& configuration) {
+  const model::Merger native(configuration, kTypesLanes);
   std::map<std::string, std::pair<std::size_t, bool>> equal;  // words, and whether they are
-  for (const vectors::NamedMerge& run : vectors::merge_frames(configuration.config(), 1)) {
-    std::vector<vectors::StreamWords> want;
+  for (const model::NamedMerge& run : model::merge_frames(configuration.config(), 1)) {
+    std::vector<model::StreamWords> want;
     native.capture(run.input(), want);
-    const std::vector<vectors::StreamWords> got = HS_MERGE(run.input());
+    const std::vector<model::StreamWords> got = HS_MERGE(run.input());
     for (std::size_t n = 0; n < want.size(); ++n) {
       auto& [words, same] = equal.emplace(want[n].layout.stream, std::pair(std::size_t(0), true)).first->second;
       words += want[n].words.size();
@@ -131,16 +131,16 @@ int main(int argc, char** argv) {
   using namespace halfspace;
   if (argc != 3) return fmt::print(stderr, "usage: types_run MANIFESTS FOLDER\n"), 2;
   try {
-    int equal = tests::expect_native(vectors::Configuration(FlatOnly::config().name, FlatOnly::config()));
-    equal += tests::expect_native(vectors::Configuration(Gamma::config().name, Gamma::config()));
-    const vectors::Configuration objects(ObjectsMiddle::config().name, ObjectsMiddle::config());
+    int equal = tests::expect_native(model::Configuration(FlatOnly::config().name, FlatOnly::config()));
+    equal += tests::expect_native(model::Configuration(Gamma::config().name, Gamma::config()));
+    const model::Configuration objects(ObjectsMiddle::config().name, ObjectsMiddle::config());
     equal += tests::expect_native(objects);
     equal += tests::expect_merge(objects);
-    for (const vectors::Configuration& configuration : vectors::named_configurations()) {
+    for (const model::Configuration& configuration : model::named_configurations()) {
       equal += tests::expect_manifest(configuration, argv[1], fmt::format("{}/{}", argv[2], configuration.name()));
     }
     // Type γ has one more, and there are those of ztest_merge.
-    const int streams = tests::kStreams * int(vectors::named_configurations().size() + 3) + 1 + tests::kMergeStreams;
+    const int streams = tests::kStreams * int(model::named_configurations().size() + 3) + 1 + tests::kMergeStreams;
     fmt::print("{} of {} streams are equal to the native ones\n", equal, streams);
     return equal == streams ? 0 : 1;
   } catch (const std::exception& error) {

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "hls/fixed.hpp"
-#include "hls/fixed_native.hpp"
+#include "hls/numbers/fixed.hpp"
+#include "hls/numbers/fixed_native.hpp"
 
 namespace halfspace::tests {
 namespace {

@@ -13,11 +13,11 @@ namespace halfspace::tests {
 namespace {
 
 using ref::Box;
-using vectors::MergeInput;
-using vectors::Merger;
-using vectors::MergeResult;
-using vectors::NamedMerge;
-using vectors::RawEntry;
+using model::MergeInput;
+using model::Merger;
+using model::MergeResult;
+using model::NamedMerge;
+using model::RawEntry;
 using Buffer = std::vector<RawEntry>;
 
 struct Numbers {
@@ -27,13 +27,13 @@ struct Numbers {
 constexpr Numbers kNumbers[] = {
     {"low", 5, 3, 1}, {"low", 16, 8, 4}, {"middle", 24, 8, 16}, {"high", 24, 8, 22}, {"low", 32, 8, 16}};
 
-vectors::Configuration configuration(const Numbers& n) {
-  Config config = vectors::find_configuration(n.base).config();
+model::Configuration configuration(const Numbers& n) {
+  Config config = model::find_configuration(n.base).config();
   config.colour_bits = n.colour_bits;
   config.object_bits = n.object_bits;
   if (n.depth_bits == 32) config.reciprocal_bits = 34, config.depth_fraction = 14;
   config.depth_bits = n.depth_bits;
-  return vectors::Configuration("merge", config);
+  return model::Configuration("merge", config);
 }
 
 // Columns and rows of a stamp.
@@ -77,9 +77,9 @@ Expected expected(const MergeInput& in, std::uint32_t full, int lanes) {
 TEST(ZtestMerge, IsItsDefinition) {
   std::uint64_t runs = 0, kept = 0, taken = 0, erased = 0;
   for (const Numbers& numbers : kNumbers) {
-    const vectors::Configuration configuration = tests::configuration(numbers);
+    const model::Configuration configuration = tests::configuration(numbers);
     const std::uint32_t full = std::uint32_t((std::uint64_t(1) << numbers.depth_bits) - 1);
-    const std::vector<NamedMerge> frames = vectors::merge_frames(configuration.config(), 3);
+    const std::vector<NamedMerge> frames = model::merge_frames(configuration.config(), 3);
     for (const int lanes : {1, 2, 4, 8, 16}) {
       const Merger merger(configuration, lanes);
       for (const NamedMerge& frame : frames) {
@@ -228,7 +228,7 @@ TEST_P(Properties, BoxesAddUp) {
 
 TEST(Merger, RefusesWhatDoesNotFit) {
   const Merger merger(configuration({"low", 5, 3, 4}), 4);
-  EXPECT_THROW(Merger(vectors::find_configuration("low"), 4), ref::Error);
+  EXPECT_THROW(Merger(model::find_configuration("low"), 4), ref::Error);
   EXPECT_THROW(Merger(configuration({"low", 5, 3, 4}), 3), ref::Error);
   Buffers make(1);
   const Buffer stored = make.any(), drawn = make.any();

@@ -7,8 +7,8 @@
 #include <memory>
 
 #include "hls/top/fields.hpp"
-#include "vectors/engine.hpp"
-#include "vectors/field_value.hpp"
+#include "model/pipeline/engine.hpp"
+#include "model/formats/field_value.hpp"
 #include "vectors/merge_frames.hpp"
 #include "vectors/standard_set.hpp"
 
@@ -25,27 +25,27 @@ namespace {
 using F = TopFormats;
 using Fields = std::vector<std::int64_t>;
 
-void append_fields(Fields& out, const vectors::Layout& layout, const vectors::Word& word) {
-  for (const vectors::Field& field : layout.fields) {
-    for (int lane = 0; lane < field.count; ++lane) out.push_back(vectors::field_value(word, field, lane));
+void append_fields(Fields& out, const model::Layout& layout, const model::Word& word) {
+  for (const model::Field& field : layout.fields) {
+    for (int lane = 0; lane < field.count; ++lane) out.push_back(model::field_value(word, field, lane));
   }
 }
-Fields fields_of(const vectors::StreamWords& stream) {
+Fields fields_of(const model::StreamWords& stream) {
   Fields out;
-  for (const vectors::Word& word : stream.words) append_fields(out, stream.layout, word);
+  for (const model::Word& word : stream.words) append_fields(out, stream.layout, word);
   return out;
 }
 
-vectors::Configuration configuration() { return vectors::Configuration(F::config().name, F::config()); }
+model::Configuration configuration() { return model::Configuration(F::config().name, F::config()); }
 
 TEST(MergeTop, GivesTheWordsOfTheKernel) {
-  const vectors::Merger merger(configuration(), F::kLanes);
+  const model::Merger merger(configuration(), F::kLanes);
   std::size_t stamps = 0, merged_words = 0, found_pixels = 0;
-  for (const vectors::NamedMerge& run : vectors::merge_frames(F::config(), 5)) {
-    std::vector<vectors::StreamWords> streams;
+  for (const model::NamedMerge& run : model::merge_frames(F::config(), 5)) {
+    std::vector<model::StreamWords> streams;
     merger.capture(run.input(), streams);
     std::map<std::string, Fields> words;
-    for (const vectors::StreamWords& stream : streams) words[stream.layout.stream] = fields_of(stream);
+    for (const model::StreamWords& stream : streams) words[stream.layout.stream] = fields_of(stream);
     const std::size_t count = words["stored"].size() / kEntryFields;
     ASSERT_EQ(words["merge"].size(), std::size_t(kMergeFields));
     ASSERT_EQ(words["stored"].size(), count * kEntryFields);
@@ -67,18 +67,18 @@ TEST(MergeTop, GivesTheWordsOfTheKernel) {
 
 // The buffers as they are at scan-out follow from the words: where no triangle is, a depth means nothing.
 TEST(ScanObjectTop, GivesTheWordsOfTheKernel) {
-  const auto engine = vectors::make_engine(configuration(), F::kLanes);
+  const auto engine = model::make_engine(configuration(), F::kLanes);
   const auto depths = std::make_unique<TopDepthBuffer>();
   const auto table = std::make_unique<TopObjectTable>();
   const std::uint32_t most = (1u << F::config().object_bits) - 1;
   std::size_t stamps = 0, shown = 0, background = 0;
-  for (const vectors::NamedFrame& frame : vectors::random_frames(vectors::raster_format(configuration()), 5, 6, 60)) {
+  for (const model::NamedFrame& frame : model::random_frames(model::raster_format(configuration()), 5, 6, 60)) {
     std::vector<std::uint32_t> objects;
     for (std::size_t k = 0; k < frame.scene.triangles.size(); ++k) objects.push_back(1 + std::uint32_t(k * 7) % most);
     for (std::size_t k = 0; k < objects.size(); ++k) table->object[k] = from_raw<F::Object>(objects[k]);
     engine->number(objects);
     Fields scan, entry;
-    engine->capture(frame.scene, [&](const vectors::Layout& layout, const vectors::Word* words, std::size_t count) {
+    engine->capture(frame.scene, [&](const model::Layout& layout, const model::Word* words, std::size_t count) {
       Fields* const out = layout.stream == "scan" ? &scan : layout.stream == "entry" ? &entry : nullptr;
       for (std::size_t n = 0; out && n < count; ++n) append_fields(*out, layout, words[n]);
     });

@@ -3,9 +3,9 @@
 #ifndef HALFSPACE_TESTS_OBJECT_CONFIGS_HPP_
 #define HALFSPACE_TESTS_OBJECT_CONFIGS_HPP_
 
-#include "hls/configs/high.hpp"
-#include "hls/configs/low.hpp"
-#include "hls/configs/middle.hpp"
+#include "hls/formats/configs/high.hpp"
+#include "hls/formats/configs/low.hpp"
+#include "hls/formats/configs/middle.hpp"
 
 namespace halfspace {
 

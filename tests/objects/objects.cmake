@@ -9,7 +9,7 @@ endforeach()
 halfspace_cosim_build(objects_middle 1 pipeline)
 add_test(NAME pipeline_objects_middle_1 COMMAND Python3::Interpreter ${cosim_tool} $<TARGET_FILE:halfspace>
          ${CMAKE_CURRENT_BINARY_DIR}/model_pipeline_objects_middle_1/bench ${CMAKE_CURRENT_BINARY_DIR}/pipeline_objects_middle_1 standard
-         ${CMAKE_CURRENT_SOURCE_DIR}/configs/objects_middle.toml 1 --stall 30 --seeds 1)  # the most words: one seed
+         ${config_of_objects_middle} 1 --stall 30 --seeds 1)  # the most words: one seed
 foreach(pair IN ITEMS objects_low-4 objects_middle-1 objects_high-16)
   string(REPLACE "-" ";" pair ${pair})
   list(GET pair 0 name)
@@ -17,7 +17,7 @@ foreach(pair IN ITEMS objects_low-4 objects_middle-1 objects_high-16)
   halfspace_cosim_file(${name} ${lanes} merge_units merge)
   set(model ${CMAKE_CURRENT_BINARY_DIR}/model_merge_units_${name}_${lanes})
   add_test(NAME merge_units_cycles_${name}_${lanes} COMMAND Python3::Interpreter ${cosim_tool} $<TARGET_FILE:halfspace> ${model}/bench
-           ${CMAKE_CURRENT_BINARY_DIR}/merge_units_cycles_${name}_${lanes} merge ${CMAKE_CURRENT_SOURCE_DIR}/configs/${name}.toml ${lanes}
+           ${CMAKE_CURRENT_BINARY_DIR}/merge_units_cycles_${name}_${lanes} merge ${config_of_${name}} ${lanes}
            --stall 0 --seeds 1)
 endforeach()
 
@@ -25,7 +25,7 @@ endforeach()
 function(halfspace_object_frames name lanes scene)
   add_test(NAME pipeline_${name}_${lanes}_${scene} COMMAND Python3::Interpreter ${cosim_tool} $<TARGET_FILE:halfspace>
            ${CMAKE_CURRENT_BINARY_DIR}/model_pipeline_${name}_${lanes}/bench ${CMAKE_CURRENT_BINARY_DIR}/pipeline_${name}_${lanes}_${scene} ${scene}
-           ${CMAKE_CURRENT_SOURCE_DIR}/configs/${name}.toml ${lanes} --stall 0 --seeds 1 ${ARGN})
+           ${config_of_${name}} ${lanes} --stall 0 --seeds 1 ${ARGN})
 endfunction()
 # Rates and accesses in reference, kernels and RTL, and the cycles of the model, which knows of no objects: they cost none.
 halfspace_object_frames(objects_low 4 castle --bound 1.25 -- --no-corners)
@@ -38,7 +38,7 @@ halfspace_object_frames(objects_low 1 teapot --bound 1.01 -- --no-corners)
 # Indices of invisible triangles are used again: the table has the object of the last triangle of an index.
 add_test(NAME pipeline_objects_low_4_reuse COMMAND Python3::Interpreter ${cosim_tool} $<TARGET_FILE:halfspace>
          ${CMAKE_CURRENT_BINARY_DIR}/model_pipeline_objects_low_4/bench ${CMAKE_CURRENT_BINARY_DIR}/pipeline_objects_low_4_reuse castle
-         ${CMAKE_CURRENT_SOURCE_DIR}/configs/objects_low.toml 4 --stall 30 --seeds 1 -- --window 64 --random 1)
+         ${config_of_objects_low} 4 --stall 30 --seeds 1 -- --window 64 --random 1)
 
 set(packages "")
 foreach(model IN ITEMS pipeline_objects_low_4 pipeline_objects_flat_4 pipeline_objects_phong_1)
@@ -51,7 +51,7 @@ foreach(pair IN ITEMS objects-pipeline-standard merge-merge_units-merge)
   list(GET pair 1 top)
   list(GET pair 2 scene)
   add_test(NAME faults_${faults} COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tb/faults/run.py --top hs_${top}
-    --faults ${PROJECT_SOURCE_DIR}/tb/faults/${faults}.txt --config ${CMAKE_CURRENT_SOURCE_DIR}/configs/objects_low.toml --scene ${scene}
+    --faults ${PROJECT_SOURCE_DIR}/tb/faults/${faults}.txt --config ${config_of_objects_low} --scene ${scene}
     --package ${CMAKE_CURRENT_BINARY_DIR}/model_${top}_objects_low_4/hs_formats_pkg.sv --halfspace $<TARGET_FILE:halfspace>
     --work ${CMAKE_CURRENT_BINARY_DIR}/faults_${faults} --jobs 2 --library $<TARGET_FILE:halfspace_tb>
     --library $<TARGET_FILE:halfspace_verilated> --verilator ${HALFSPACE_VERILATOR} --cxx ${CMAKE_CXX_COMPILER})
@@ -62,7 +62,7 @@ endforeach()
 # has neither.
 halfspace_features_left(objects_middle 11 11)
 set(package ${CMAKE_CURRENT_BINARY_DIR}/model_merge_units_objects_low_4/hs_formats_pkg.sv)
-file(GLOB units CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/rtl/hs_*.sv)
+file(GLOB units CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/rtl/*/hs_*.sv)
 string(REPLACE ";" " " sources "${package};${units}")
 add_test(NAME synthesis_ztest_merge COMMAND ${HALFSPACE_YOSYS} -q -p
   "read_verilog -sv ${sources}; hierarchy -check -top hs_ztest_merge -chparam LanesX 2 -chparam LanesY 2; proc; opt; check -assert; flatten; opt; memory_collect; select -assert-none t:$mul t:$mem_v2 t:$div t:$mod; select -assert-min 1 t:$lt")
@@ -77,6 +77,6 @@ foreach(top IN ITEMS merge_units pipeline)
   endif()
   add_test(NAME ${top}_netlist_objects_low_4 COMMAND Python3::Interpreter ${cosim_tool} $<TARGET_FILE:halfspace>
            ${CMAKE_CURRENT_BINARY_DIR}/netlist_${top}_objects_low_4/bench ${CMAKE_CURRENT_BINARY_DIR}/${top}_netlist_objects_low_4 ${scene}
-           ${CMAKE_CURRENT_SOURCE_DIR}/configs/objects_low.toml 4 --stall 30 --seeds 1)
+           ${config_of_objects_low} 4 --stall 30 --seeds 1)
 endforeach()
 set_tests_properties(pipeline_netlist_objects_low_4 PROPERTIES LABELS long TIMEOUT 7200)

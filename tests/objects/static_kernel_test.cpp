@@ -8,16 +8,17 @@
 #include <string>
 
 #include "ref/error.hpp"
-#include "ref/object_raster.hpp"
+#include "ref/objects/object_raster.hpp"
 #include "vectors/moving_scene.hpp"
-#include "vectors/static_frames.hpp"
+#include "model/drivers/static_frames.hpp"
+#include "tests/config_path.hpp"
 
 namespace halfspace::tests {
 namespace {
 
 using ref::ObjectState;
-using vectors::RawEntry;
-using vectors::StaticFrames;
+using model::RawEntry;
+using model::StaticFrames;
 
 constexpr int kWidth = 40, kHeight = 30, kObjects = 16;
 
@@ -35,18 +36,18 @@ std::string name_of(const Case& c) {
 
 // All triangles of a scene have an index in one frame of the other.
 constexpr int kEnough = 4000;
-vectors::Configuration configuration(const Case& c, int triangles) {
+model::Configuration configuration(const Case& c, int triangles) {
   const std::string base = c.base;
-  Config config = vectors::find_configuration(base.find('_') == base.npos
+  Config config = model::find_configuration(base.find('_') == base.npos
                                                   ? base
-                                                  : std::string(HALFSPACE_SOURCE "/tests/configs/") + base + ".toml")
+                                                  : config_path(base))
                       .config();
   config.width = kWidth, config.height = kHeight;
   config.depth_bits = c.depth_bits;
   config.triangles = triangles;
   config.object_bits = 5;
   if (has_lighting(config)) config.materials = 32;
-  return vectors::Configuration("static", config);
+  return model::Configuration("static", config);
 }
 
 struct Counts {
@@ -63,9 +64,9 @@ struct Fragment {
 
 // Whom the picture shows. A depth of the kernels is off by less than half an LSB before it is rounded, so by one at
 // most.
-void expect_reference(const ref::Scene& scene, const vectors::Configuration& configuration,
+void expect_reference(const ref::Scene& scene, const model::Configuration& configuration,
                       const std::vector<RawEntry>& picture, Counts& counts) {
-  ref::ObjectRaster raster(scene, vectors::raster_format(configuration), kWidth, kHeight);
+  ref::ObjectRaster raster(scene, model::raster_format(configuration), kWidth, kHeight);
   std::vector<Fragment> nearest(picture.size());
   for (std::uint32_t n = 0; n < scene.instances.size(); ++n) {
     raster.fragments(n, {0, 0, kWidth, kHeight}, [&](int x, int y, std::uint32_t depth, std::uint32_t) {
@@ -118,20 +119,20 @@ void texture(ref::Scene& scene) {
 }
 
 void run(const Case& c, std::uint64_t seed, Counts& counts) {
-  const vectors::Configuration small = configuration(c, c.triangles), large = configuration(c, kEnough);
+  const model::Configuration small = configuration(c, c.triangles), large = configuration(c, kEnough);
   const bool lit = has_lighting(small.config());
-  ref::Scene scene = vectors::moving_scene(kObjects);
+  ref::Scene scene = model::moving_scene(kObjects);
   if (lit) hold_middle(scene);
   if (has_texture(small.config())) texture(scene);
-  vectors::SceneMotion motion(seed, kObjects);
+  model::SceneMotion motion(seed, kObjects);
   motion.begin(scene);
   StaticFrames ours(scene, {small, c.lanes, kWidth, kHeight, c.buffers, c.query, c.window});
-  const auto everything = vectors::make_engine(large, c.lanes);
+  const auto everything = model::make_engine(large, c.lanes);
   std::vector<std::uint32_t> all(scene.instances.size());
   for (std::uint32_t n = 0; n < all.size(); ++n) all[n] = n;
   std::uint64_t passes_of_frame = 0;
-  vectors::StaticFramesSink sink;
-  sink.run = [&](const char* what, const vectors::MergeInput& in) {
+  model::StaticFramesSink sink;
+  sink.run = [&](const char* what, const model::MergeInput& in) {
     if (what != std::string("frame") || !in.drawn) return;
     ++passes_of_frame;
     for (std::size_t at = 0; at < in.stored->size(); ++at) {
@@ -145,7 +146,7 @@ void run(const Case& c, std::uint64_t seed, Counts& counts) {
     motion.move_viewer(scene);
     if (motion.dim(scene) && !lit) ours.start_anew();
     passes_of_frame = 0;
-    const vectors::StaticFrameWork& work = ours.draw(sink);
+    const model::StaticFrameWork& work = ours.draw(sink);
     const std::vector<RawEntry> whole = StaticFrames::entries(*everything, large, ours.triangles(all));
     for (std::size_t at = 0; at < whole.size(); ++at) {
       const RawEntry &got = ours.picture()[at], &want = whole[at];
@@ -221,32 +222,32 @@ TEST(StaticFrames, AreThoseOfDrawingEverything) {
 // A pass ends where the next triangle has no index, and not before.
 TEST(Engine, FitsAsManyAsThereAreIndicesFor) {
   const Case c{"low", 16, 4, 20, 0, 1, true, 0};
-  const vectors::Configuration few = configuration(c, c.triangles);
-  ref::Scene scene = vectors::moving_scene(kObjects);
-  vectors::SceneMotion motion(3, kObjects);
+  const model::Configuration few = configuration(c, c.triangles);
+  ref::Scene scene = model::moving_scene(kObjects);
+  model::SceneMotion motion(3, kObjects);
   std::vector<std::uint32_t> all(scene.instances.size());
   for (std::uint32_t n = 0; n < all.size(); ++n) all[n] = n;
   for (const int window : {0, 1, 3, 8}) {
-    const auto engine = vectors::make_engine(few, c.lanes);
+    const auto engine = model::make_engine(few, c.lanes);
     engine->reuse_indices(window);
     std::size_t most = 0, cut = 0;
     for (int n = 0; n < 20; ++n) {
       motion.begin(scene);
       StaticFrames frames(scene, {few, c.lanes, kWidth, kHeight});
       frames.draw();
-      vectors::NamedFrame frame = frames.triangles(all);
+      model::NamedFrame frame = frames.triangles(all);
       engine->number(frame.objects);
       const std::size_t fits = engine->fits(frame.scene);
       ASSERT_GE(fits, std::size_t(c.triangles));
       most = std::max(most, fits);
       if (fits == frame.scene.triangles.size()) continue;
       ++cut;
-      vectors::NamedFrame more = frame;
+      model::NamedFrame more = frame;
       frame.scene.triangles.resize(fits), frame.objects.resize(fits);
       EXPECT_NO_THROW(StaticFrames::entries(*engine, few, frame));
       EXPECT_EQ(engine->fits(frame.scene), fits);
       more.scene.triangles.resize(fits + 1), more.objects.resize(fits + 1);
-      const auto another = vectors::make_engine(few, c.lanes);
+      const auto another = model::make_engine(few, c.lanes);
       another->reuse_indices(window);
       EXPECT_THROW(StaticFrames::entries(*another, few, more), ref::Error);
     }
@@ -256,14 +257,14 @@ TEST(Engine, FitsAsManyAsThereAreIndicesFor) {
 }
 
 TEST(StaticFrames, AreOfAConfigurationWithObjects) {
-  ref::Scene scene = vectors::moving_scene(kObjects);
+  ref::Scene scene = model::moving_scene(kObjects);
   const Case c{"low", 16, 4, 100, 0, 1, true, 0};
-  EXPECT_THROW(StaticFrames(scene, {vectors::find_configuration("low"), 4, kWidth, kHeight}), ref::Error);
+  EXPECT_THROW(StaticFrames(scene, {model::find_configuration("low"), 4, kWidth, kHeight}), ref::Error);
   EXPECT_THROW(StaticFrames(scene, {configuration(c, 100), 4, kWidth, kHeight, 0}), ref::Error) << "no S-buffer";
   EXPECT_NO_THROW(StaticFrames(scene, {configuration(c, 100), 4, kWidth, kHeight, 1}));
   Config few = configuration(c, 100).config();
   few.object_bits = 4;  // 15 objects, and there are 17
-  EXPECT_THROW(StaticFrames(scene, {vectors::Configuration("few", few), 4, kWidth, kHeight}), ref::Error);
+  EXPECT_THROW(StaticFrames(scene, {model::Configuration("few", few), 4, kWidth, kHeight}), ref::Error);
 }
 
 }  // namespace

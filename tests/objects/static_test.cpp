@@ -6,12 +6,12 @@
 #include <cstdio>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "ref/crowd.hpp"
+#include "ref/builtin/crowd.hpp"
 #include "ref/error.hpp"
-#include "ref/geometry.hpp"
-#include "ref/raster.hpp"
-#include "ref/static_objects.hpp"
-#include "vectors/cycles.hpp"
+#include "ref/geometry/geometry.hpp"
+#include "ref/raster/raster.hpp"
+#include "ref/objects/static_objects.hpp"
+#include "model/pipeline/cycles.hpp"
 #include "vectors/moving_scene.hpp"
 
 namespace halfspace::ref {
@@ -22,8 +22,8 @@ constexpr int kWidth = 40, kHeight = 30, kObjects = 16;
 RasterFormat format_of(int depth_bits) { return {"static", kWidth, kHeight, 4096, 7, 6, depth_bits}; }
 View view_of(const RasterFormat& format) { return {kWidth, kHeight, format.range_bits, format.subpixel_bits}; }
 
-Scene small_scene() { return vectors::moving_scene(kObjects); }
-struct Motion : vectors::SceneMotion {
+Scene small_scene() { return model::moving_scene(kObjects); }
+struct Motion : model::SceneMotion {
   explicit Motion(std::uint64_t seed) : SceneMotion(seed, kObjects) {}
 };
 
@@ -414,15 +414,15 @@ TEST(Crowd, CyclesOfAFrameAreThoseOfItsSetup) {
   options.objects = 7;
   options.layers = 0.04;  // as large as in the experiment
   const Crowd crowd(options);
-  const vectors::Configuration middle = vectors::find_configuration("middle");
-  const RasterFormat format = vectors::raster_format(middle);
+  const model::Configuration middle = model::find_configuration("middle");
+  const RasterFormat format = model::raster_format(middle);
   SnappedList list = snap(project(crowd.scene(), {640, 480, format.range_bits, format.subpixel_bits}), format);
-  const auto engine = vectors::make_engine("middle", 4);
-  const vectors::Cycles modelled = vectors::model_cycles(middle.config(), *engine, list, render(list));
-  const vectors::SetupModel model(middle.config(), 640, 480);
+  const auto engine = model::make_engine("middle", 4);
+  const model::Cycles modelled = model::model_cycles(middle.config(), *engine, list, render(list));
+  const model::SetupModel model(middle.config(), 640, 480);
   std::uint64_t triangle_setup = 0, shade_setup = 0;
   for (const SnappedTriangle& t : list.triangles) {
-    const vectors::SetupCycles cycles = model.cycles(t);
+    const model::SetupCycles cycles = model.cycles(t);
     triangle_setup += std::uint64_t(cycles.triangle_setup), shade_setup += std::uint64_t(cycles.shade_setup);
   }
   EXPECT_EQ(triangle_setup, modelled.triangle_setup);

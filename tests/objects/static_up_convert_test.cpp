@@ -8,19 +8,19 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "ref/error.hpp"
-#include "ref/mesh_builder.hpp"
-#include "ref/static_instances.hpp"
-#include "ref/viewpoint.hpp"
-#include "vectors/texture.hpp"
-#include "vectors/up_convert.hpp"
+#include "ref/builtin/mesh_builder.hpp"
+#include "ref/objects/static_instances.hpp"
+#include "ref/geometry/viewpoint.hpp"
+#include "model/texture/texture.hpp"
+#include "model/drivers/up_convert.hpp"
 
 namespace halfspace {
 namespace {
 
 using ref::Scene;
-using vectors::Configuration;
-using vectors::KernelFrameBetween;
-using vectors::KernelUpConverter;
+using model::Configuration;
+using model::KernelFrameBetween;
+using model::KernelUpConverter;
 
 constexpr int kWidth = 64, kHeight = 48;
 constexpr double kAspect = double(kWidth) / kHeight;
@@ -72,24 +72,24 @@ Scene room(double a) {
   return scene;
 }
 
-vectors::KernelUpConversion mode_of(const char* config, bool static_buffer, int samples = 1) {
-  const Configuration colour = vectors::find_configuration(config);
-  Config numbers = vectors::default_motion(colour.config());
+model::KernelUpConversion mode_of(const char* config, bool static_buffer, int samples = 1) {
+  const Configuration colour = model::find_configuration(config);
+  Config numbers = model::default_motion(colour.config());
   numbers.samples = samples;
-  vectors::KernelUpConversion mode{
-      kWidth, kHeight, colour, vectors::motion_configuration(colour, numbers, kWidth * samples, kHeight * samples)};
+  model::KernelUpConversion mode{
+      kWidth, kHeight, colour, model::motion_configuration(colour, numbers, kWidth * samples, kHeight * samples)};
   mode.static_buffer = static_buffer;
   return mode;
 }
 
-bool same(const vectors::RawMotion& a, const vectors::RawMotion& b) {
+bool same(const model::RawMotion& a, const model::RawMotion& b) {
   for (std::size_t k = 0; k < 2; ++k) {
-    const vectors::RawKeyVector &u = a.key[k], &v = b.key[k];
+    const model::RawKeyVector &u = a.key[k], &v = b.key[k];
     if (u.there != v.there || u.x != v.x || u.y != v.y || u.difference != v.difference) return false;
   }
   return a.x == b.x && a.y == b.y && a.face == b.face;
 }
-bool same(const std::vector<vectors::RawMotion>& a, const std::vector<vectors::RawMotion>& b) {
+bool same(const std::vector<model::RawMotion>& a, const std::vector<model::RawMotion>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& u, const auto& v) { return same(u, v); });
 }
 
@@ -112,10 +112,10 @@ class Pair {
     const std::vector<bool> still = ref::static_instances(first_, second_, between, kAspect);
     const std::vector<std::uint32_t> instance = ref::instances_of_faces(between);
     seen_.assign(between.instances.size(), 0);
-    std::vector<vectors::RawMotion> moving;
+    std::vector<model::RawMotion> moving;
     std::vector<bool> moves(both.ordinary.rendered.size(), false);
     std::uint64_t standing = 0;
-    for (const vectors::RawMotion& word : all_.input().motion) {
+    for (const model::RawMotion& word : all_.input().motion) {
       ++seen_[instance[word.face]];
       if (still[instance[word.face]]) {
         ++standing;
@@ -222,18 +222,18 @@ TEST(StaticUpConversion, TexturesAreKept) {
     }
     return scene;
   };
-  const Configuration low = vectors::find_configuration("low");
-  const Configuration colour = vectors::textured_configuration(low, TextureFilter::kBilinear);
+  const Configuration low = model::find_configuration("low");
+  const Configuration colour = model::textured_configuration(low, TextureFilter::kBilinear);
   const Configuration motion =
-      vectors::motion_configuration(colour, vectors::default_motion(colour.config()), kWidth, kHeight);
-  vectors::KernelUpConversion mode{kWidth, kHeight, colour, motion};
+      model::motion_configuration(colour, model::default_motion(colour.config()), kWidth, kHeight);
+  model::KernelUpConversion mode{kWidth, kHeight, colour, motion};
   mode.static_buffer = true;
   KernelUpConverter with(mode);
   with.set_keys(textured(0), textured(1));
   const KernelFrameBetween made = with.at(textured(0.4), 0.4);
   EXPECT_EQ(made.static_instances, 3u);
   std::vector<bool> moves(made.rendered.size(), false);
-  for (const vectors::RawMotion& word : with.input().motion) moves[std::size_t(word.y) * kWidth + word.x] = true;
+  for (const model::RawMotion& word : with.input().motion) moves[std::size_t(word.y) * kWidth + word.x] = true;
   for (std::size_t n = 0; n < moves.size(); ++n) {
     if (!moves[n]) {
       EXPECT_EQ(made.colour[n], made.rendered[n]) << n;
@@ -365,8 +365,8 @@ TEST(StaticInstances, PlanesHoldAllTimes) {
 // --- the reference ---
 
 TEST(StaticUpConversion, TheReferenceHasTheSamePixels) {
-  const Configuration colour = vectors::find_configuration("middle");
-  ref::UpConversion mode{kWidth, kHeight, vectors::raster_format(colour)};
+  const Configuration colour = model::find_configuration("middle");
+  ref::UpConversion mode{kWidth, kHeight, model::raster_format(colour)};
   mode.mapping = ref::VectorMapping::kPerspective;
   mode.relight = true;
   ref::Interval ordinary(room(0), room(1), mode);
@@ -381,7 +381,7 @@ TEST(StaticUpConversion, TheReferenceHasTheSamePixels) {
     EXPECT_EQ(made.shares.background, by_kernels.shares.background);
     EXPECT_EQ(made.shares.background, all.shares.background);
     std::vector<bool> moves(made.rendered.size(), false);
-    for (const vectors::RawMotion& word : kernels.input().motion) moves[std::size_t(word.y) * kWidth + word.x] = true;
+    for (const model::RawMotion& word : kernels.input().motion) moves[std::size_t(word.y) * kWidth + word.x] = true;
     for (std::size_t n = 0; n < moves.size(); ++n) {
       EXPECT_EQ(made.colour[n], moves[n] ? all.colour[n] : made.rendered[n]) << n;
     }
@@ -389,21 +389,21 @@ TEST(StaticUpConversion, TheReferenceHasTheSamePixels) {
 }
 
 TEST(StaticUpConversion, RefusesWhatHasNoDepthASample) {
-  vectors::KernelUpConversion mode = mode_of("low", true);
+  model::KernelUpConversion mode = mode_of("low", true);
   mode.half_field = true;
   EXPECT_THROW(KernelUpConverter{mode}, ref::Error);
   mode.half_field = false, mode.method = ref::MotionMethod::kStraight;
   EXPECT_THROW(KernelUpConverter{mode}, ref::Error);
   mode.static_buffer = false;
   KernelUpConverter{mode};
-  Config flat = vectors::find_configuration("low").config();
+  Config flat = model::find_configuration("low").config();
   flat.architecture = Architecture::kGamma;
   const Configuration gamma("gamma", flat);
-  vectors::KernelUpConversion planes{
-      kWidth, kHeight, gamma, vectors::motion_configuration(gamma, vectors::default_motion(flat), kWidth, kHeight)};
+  model::KernelUpConversion planes{
+      kWidth, kHeight, gamma, model::motion_configuration(gamma, model::default_motion(flat), kWidth, kHeight)};
   planes.static_buffer = true;
   EXPECT_THROW(KernelUpConverter{planes}, ref::Error);
-  ref::UpConversion reference{kWidth, kHeight, vectors::raster_format("low")};
+  ref::UpConversion reference{kWidth, kHeight, model::raster_format("low")};
   reference.static_buffer = true, reference.field = ref::FieldSize::kHalf;
   EXPECT_THROW(ref::Interval(room(0), room(1), reference), ref::Error);
   reference.field = ref::FieldSize::kSamples, reference.method = ref::MotionMethod::kStraight;

@@ -6,19 +6,19 @@
 //   index      where two depths are less than an LSB apart the nearer triangle may be the other one
 #include <gtest/gtest.h>
 
-#include "ref/geometry.hpp"
-#include "ref/scene.hpp"
-#include "vectors/accuracy.hpp"
-#include "vectors/engine.hpp"
+#include "ref/geometry/geometry.hpp"
+#include "ref/scene/scene.hpp"
+#include "study/trade/accuracy.hpp"
+#include "model/pipeline/engine.hpp"
 #include "vectors/standard_set.hpp"
 
 namespace halfspace::tests {
 namespace {
 
-using vectors::Accuracy;
+using model::Accuracy;
 
 ref::SnappedList frame_of(const std::string& scene, const std::string& config, int width, int height) {
-  const ref::RasterFormat format = vectors::raster_format(config);
+  const ref::RasterFormat format = model::raster_format(config);
   return ref::snap(
       ref::project(ref::load_scene(scene), {width, height, format.range_bits, format.subpixel_bits}), format);
 }
@@ -26,8 +26,8 @@ ref::SnappedList frame_of(const std::string& scene, const std::string& config, i
 // Renders with both and holds the bounds. Returns what was measured.
 Accuracy expect_agreement(const ref::SnappedList& scene, int lanes, double index_share) {
   const ref::Frame reference = ref::render(scene);
-  const ref::Frame kernels = vectors::make_engine(scene.format.name, lanes)->render(scene);
-  const Accuracy a = vectors::accuracy(reference, kernels, scene.format.depth_bits);
+  const ref::Frame kernels = model::make_engine(scene.format.name, lanes)->render(scene);
+  const Accuracy a = model::accuracy(reference, kernels, scene.format.depth_bits);
   EXPECT_EQ(a.covered_differ, 0u);
   EXPECT_LE(a.depth_largest, 1);
   EXPECT_LE(a.colour_largest, 1);
@@ -66,10 +66,10 @@ TEST(Agreement, OfSceneFiles) {
 // The corner cases and random frames: depths are random here, so that many triangles meet.
 TEST(Agreement, OfTheStandardSet) {
   for (const char* config : {"low", "middle", "high"}) {
-    const ref::RasterFormat format = vectors::raster_format(config);
-    std::vector<vectors::NamedFrame> frames = vectors::corner_frames(format);
-    for (auto& frame : vectors::random_frames(format, 9, 20, 80)) frames.push_back(std::move(frame));
-    for (const vectors::NamedFrame& frame : frames) {
+    const ref::RasterFormat format = model::raster_format(config);
+    std::vector<model::NamedFrame> frames = model::corner_frames(format);
+    for (auto& frame : model::random_frames(format, 9, 20, 80)) frames.push_back(std::move(frame));
+    for (const model::NamedFrame& frame : frames) {
       SCOPED_TRACE(config + (": " + frame.note));
       expect_agreement(frame.scene, 4, 0.02);
     }
@@ -80,9 +80,9 @@ TEST(Agreement, OfTheStandardSet) {
 TEST(Agreement, OfAllStampsAndOfTwoFrames) {
   const ref::SnappedList scene = frame_of("castle", "middle", 333, 251);
   const ref::SnappedList other = frame_of("teapot", "middle", 120, 90);
-  const ref::Frame first = vectors::make_engine("middle", 1)->render(scene);
+  const ref::Frame first = model::make_engine("middle", 1)->render(scene);
   for (const int lanes : {2, 4, 8, 16}) {
-    const auto engine = vectors::make_engine("middle", lanes);
+    const auto engine = model::make_engine("middle", lanes);
     engine->render(other);
     const ref::Frame frame = engine->render(scene);
     EXPECT_EQ(frame.index, first.index) << lanes << " lanes";
@@ -96,7 +96,7 @@ TEST(Agreement, OfAllStampsAndOfTwoFrames) {
 TEST(Agreement, OfTheVisibleFlags) {
   const ref::SnappedList scene = frame_of("castle", "high", 640, 480);
   const ref::Frame reference = ref::render(scene);
-  const ref::Frame kernels = vectors::make_engine("high", 4)->render(scene);
+  const ref::Frame kernels = model::make_engine("high", 4)->render(scene);
   std::size_t differ = 0, visible = 0;
   for (std::size_t k = 0; k < reference.visible.size(); ++k) {
     differ += reference.visible[k] != kernels.visible[k];
@@ -108,11 +108,11 @@ TEST(Agreement, OfTheVisibleFlags) {
 }
 
 TEST(Agreement, OfEqualDepthsIsExact) {
-  const ref::RasterFormat format = vectors::raster_format("high");
+  const ref::RasterFormat format = model::raster_format("high");
   ref::SnappedList scene{format, 200, 100, {0, 0, 0}, {}};
   for (const std::uint32_t depth : {0u, 1u, 0x555555u, 0xfffffeu}) {
     scene.triangles = {{{-2000000, 1999999, 70}, {3, 40000, 17}, {depth, depth, depth}, {}}};
-    const ref::Frame frame = vectors::make_engine("high", 1)->render(scene);
+    const ref::Frame frame = model::make_engine("high", 1)->render(scene);
     std::size_t covered = 0;
     for (std::size_t n = 0; n < frame.index.size(); ++n) {
       if (frame.index[n] == 0) continue;

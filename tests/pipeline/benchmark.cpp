@@ -3,10 +3,10 @@
 // leave a finished picture.
 #include <benchmark/benchmark.h>
 
-#include "ref/geometry.hpp"
-#include "ref/scene.hpp"
-#include "tests/mesa.hpp"
-#include "vectors/engine.hpp"
+#include "ref/geometry/geometry.hpp"
+#include "ref/scene/scene.hpp"
+#include "tests/raster/mesa.hpp"
+#include "model/pipeline/engine.hpp"
 
 namespace {
 
@@ -16,7 +16,7 @@ const ref::SnappedList& scene_of(const std::string& name) {
   static std::map<std::string, ref::SnappedList> scenes;
   auto found = scenes.find(name);
   if (found == scenes.end()) {
-    const ref::RasterFormat format = vectors::raster_format("middle");
+    const ref::RasterFormat format = model::raster_format("middle");
     found = scenes
                 .emplace(name, ref::snap(ref::project(ref::load_scene(name), {640, 480, format.range_bits, format.subpixel_bits}),
                                          format))
@@ -34,7 +34,7 @@ void count(benchmark::State& state, const ref::SnappedList& scene) {
 
 void kernels(benchmark::State& state, const char* name, int lanes) {
   const ref::SnappedList& scene = scene_of(name);
-  const auto engine = vectors::make_engine("middle", lanes);
+  const auto engine = model::make_engine("middle", lanes);
   std::vector<std::array<std::uint8_t, 4>> colour;
   for (auto _ : state) {
     engine->render_colour(scene, colour);

@@ -47,9 +47,9 @@ function(halfspace_cosim_build name lanes top)
     set(stem netlist_${top}_${name}_${lanes})
     set(through --yosys ${HALFSPACE_YOSYS})
   endif()
-  set(toml ${CMAKE_CURRENT_SOURCE_DIR}/configs/${name}.toml)
+  set(toml ${config_of_${name}})
   set(model ${CMAKE_CURRENT_BINARY_DIR}/${stem})
-  file(GLOB units CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/rtl/hs_*.sv)
+  file(GLOB units CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/rtl/*/hs_*.sv)
   add_custom_command(OUTPUT ${model}/bench
     COMMAND ${CMAKE_COMMAND} -E make_directory ${model}
     COMMAND halfspace package --config ${toml} -o ${model}/hs_formats_pkg.sv
@@ -68,7 +68,7 @@ function(halfspace_cosim_file name lanes top)
     set(scene ${ARGV3})
   endif()
   halfspace_cosim_build(${name} ${lanes} ${top})
-  set(toml ${CMAKE_CURRENT_SOURCE_DIR}/configs/${name}.toml)
+  set(toml ${config_of_${name}})
   set(model ${CMAKE_CURRENT_BINARY_DIR}/model_${top}_${name}_${lanes})
   add_test(NAME ${top}_file_${name}_${lanes} COMMAND Python3::Interpreter ${cosim_tool} $<TARGET_FILE:halfspace> ${model}/bench
            ${CMAKE_CURRENT_BINARY_DIR}/${top}_file_${name}_${lanes} ${scene} ${toml} ${lanes} --stall 30 --seeds 3)

@@ -1,6 +1,6 @@
 # The whole pipeline in sizes, architectures, shadings and textures; all of them with label `long`.
 function(halfspace_matrix name lanes seeds)
-  add_test(NAME ${name} COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/matrix_test.py $<TARGET_FILE:halfspace>
+  add_test(NAME ${name} COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/pipeline/matrix_test.py $<TARGET_FILE:halfspace>
     ${CMAKE_CURRENT_BINARY_DIR}/${name} ${ARGN} --lanes ${lanes} --textured-scene ${HALFSPACE_TESTMODELS}/Collada/duck.dae --seeds ${seeds} --jobs 2
     --library $<TARGET_FILE:halfspace_tb> --library $<TARGET_FILE:halfspace_verilated> --verilator ${HALFSPACE_VERILATOR} --cxx ${CMAKE_CXX_COMPILER})
   set_tests_properties(${name} PROPERTIES PROCESSORS 2 TIMEOUT 7200)
@@ -30,4 +30,4 @@ set_tests_properties(matrix_long PROPERTIES LABELS long)
 halfspace_cosim_file(reuse 4 pipeline)
 add_test(NAME pipeline_reuse_castle COMMAND Python3::Interpreter ${cosim_tool} $<TARGET_FILE:halfspace>
          ${CMAKE_CURRENT_BINARY_DIR}/model_pipeline_reuse_4/bench ${CMAKE_CURRENT_BINARY_DIR}/pipeline_reuse_castle castle
-         ${CMAKE_CURRENT_SOURCE_DIR}/configs/reuse.toml 4 --stall 30 --seeds 3 -- --window 64 --random 1)
+         ${config_of_reuse} 4 --stall 30 --seeds 3 -- --window 64 --random 1)

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "hls/top/fields.hpp"
-#include "vectors/engine.hpp"
+#include "model/pipeline/engine.hpp"
 #include "vectors/standard_set.hpp"
 
 extern "C" {
@@ -47,16 +47,16 @@ TEST(Tops, HaveRoomForEveryField) {
 }
 
 TEST(Tops, RenderTheStandardFrames) {
-  const vectors::Configuration configuration(F::config().name, F::config());
-  const ref::RasterFormat format = vectors::raster_format(configuration);
-  std::vector<vectors::NamedFrame> frames = vectors::corner_frames(format);
-  for (auto& frame : vectors::random_frames(format, 3, 3, 30)) frames.push_back(std::move(frame));
+  const model::Configuration configuration(F::config().name, F::config());
+  const ref::RasterFormat format = model::raster_format(configuration);
+  std::vector<model::NamedFrame> frames = model::corner_frames(format);
+  for (auto& frame : model::random_frames(format, 3, 3, 30)) frames.push_back(std::move(frame));
   auto buffers = std::make_unique<Buffers<F>>();
   std::vector<std::int64_t> stamps(std::size_t(F::kStamps) * kStampFields), scans(std::size_t(F::kStampsX) * kScanFields);
   std::size_t covered = 0;
-  for (const vectors::NamedFrame& named : frames) {
+  for (const model::NamedFrame& named : frames) {
     const ref::SnappedList& scene = named.scene;
-    const ref::Frame expected = vectors::make_engine(configuration, F::kLanes)->render(scene);
+    const ref::Frame expected = model::make_engine(configuration, F::kLanes)->render(scene);
     for (std::size_t k = 0; k < scene.triangles.size(); ++k) {
       const ref::SnappedTriangle& t = scene.triangles[k];
       std::int64_t triangle[kTriangleFields] = {k + 1 == scene.triangles.size(), std::int64_t(k + 1)};

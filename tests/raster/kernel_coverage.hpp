@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs one triangle through triangle_setup and raster_pineda and gives its coverage as a bitmap.
-#ifndef HALFSPACE_TESTS_KERNEL_COVERAGE_HPP_
-#define HALFSPACE_TESTS_KERNEL_COVERAGE_HPP_
+#ifndef HALFSPACE_TESTS_RASTER_KERNEL_COVERAGE_HPP_
+#define HALFSPACE_TESTS_RASTER_KERNEL_COVERAGE_HPP_
 
 #include <string>
 #include <vector>
 
-#include "hls/configs/high.hpp"
-#include "hls/configs/low.hpp"
-#include "hls/configs/middle.hpp"
-#include "hls/raster_pineda.hpp"
-#include "hls/triangle_setup.hpp"
-#include "ref/raster.hpp"
+#include "hls/formats/configs/high.hpp"
+#include "hls/formats/configs/low.hpp"
+#include "hls/formats/configs/middle.hpp"
+#include "hls/raster/raster_pineda.hpp"
+#include "hls/setup/triangle_setup.hpp"
+#include "ref/raster/raster.hpp"
 
 namespace halfspace::tests {
 
@@ -83,4 +83,4 @@ class CoverageKernel {
 
 }  // namespace halfspace::tests
 
-#endif  // HALFSPACE_TESTS_KERNEL_COVERAGE_HPP_
+#endif  // HALFSPACE_TESTS_RASTER_KERNEL_COVERAGE_HPP_

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Mesa's llvmpipe as an outside oracle and rival: screen-space triangles through OSMesa, one thread.
-#ifndef HALFSPACE_TESTS_MESA_HPP_
-#define HALFSPACE_TESTS_MESA_HPP_
+#ifndef HALFSPACE_TESTS_RASTER_MESA_HPP_
+#define HALFSPACE_TESTS_RASTER_MESA_HPP_
 
 #include <GL/osmesa.h>
 
@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "ref/snap.hpp"
-#include "ref/texture.hpp"
+#include "ref/geometry/snap.hpp"
+#include "ref/scene/texture.hpp"
 
 namespace halfspace::tests {
 
@@ -114,4 +114,4 @@ class Mesa {
 
 }  // namespace halfspace::tests
 
-#endif  // HALFSPACE_TESTS_MESA_HPP_
+#endif  // HALFSPACE_TESTS_RASTER_MESA_HPP_

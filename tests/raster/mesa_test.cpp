@@ -5,8 +5,8 @@
 
 #include <random>
 
-#include "tests/kernel_coverage.hpp"
-#include "tests/mesa.hpp"
+#include "tests/raster/kernel_coverage.hpp"
+#include "tests/raster/mesa.hpp"
 
 namespace halfspace::tests {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <random>
 
-#include "tests/kernel_coverage.hpp"
+#include "tests/raster/kernel_coverage.hpp"
 
 namespace halfspace::tests {
 namespace {

@@ -11,8 +11,8 @@
 #include <sstream>
 
 #include "ref/error.hpp"
-#include "ref/geometry.hpp"
-#include "ref/raster.hpp"
+#include "ref/geometry/geometry.hpp"
+#include "ref/raster/raster.hpp"
 
 namespace halfspace::ref {
 namespace {

@@ -11,10 +11,10 @@
 #include <limits>
 
 #include "ref/error.hpp"
-#include "ref/geometry.hpp"
-#include "ref/scene.hpp"
-#include "vectors/accuracy.hpp"
-#include "vectors/engine.hpp"
+#include "ref/geometry/geometry.hpp"
+#include "ref/scene/scene.hpp"
+#include "study/trade/accuracy.hpp"
+#include "model/pipeline/engine.hpp"
 
 namespace halfspace::tests {
 namespace {
@@ -91,7 +91,7 @@ class Unclean : public testing::Test {
   // The sentence of the refusal.
   std::string refusal(const std::string& path) const {
     try {
-      frame(path, vectors::raster_format("middle"));
+      frame(path, model::raster_format("middle"));
     } catch (const ref::Error& error) {
       return error.what();
     }
@@ -161,10 +161,10 @@ TEST_F(Unclean, VerticesAtTheEyeAndBehindAreClipped) {
   for (const auto& [name, positions] : cases) {
     for (const char* config : {"low", "middle", "high"}) {
       SCOPED_TRACE(std::string(name) + ", " + config);
-      const ref::RasterFormat format = vectors::raster_format(config);
+      const ref::RasterFormat format = model::raster_format(config);
       const ref::SnappedList scene = frame(file("eye.gltf", gltf(positions)), format);
-      const ref::Frame reference = ref::render(scene), kernels = vectors::make_engine(config, 4)->render(scene);
-      const vectors::Accuracy a = vectors::accuracy(reference, kernels, format.depth_bits);
+      const ref::Frame reference = ref::render(scene), kernels = model::make_engine(config, 4)->render(scene);
+      const model::Accuracy a = model::accuracy(reference, kernels, format.depth_bits);
       EXPECT_EQ(a.index_differ, 0u);
       EXPECT_LE(a.depth_largest, 1);
       EXPECT_LE(a.colour_largest, 1);

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// The arithmetic of hls/reciprocal.hpp and hls/plane.hpp against 128-bit integers. What it comes to at pixels, for every kind
+// The arithmetic of hls/setup/reciprocal.hpp and hls/setup/plane.hpp against 128-bit integers. What it comes to at pixels, for every kind
 // of triangle, is measured by bounds_test.
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "hls/configs/high.hpp"
-#include "hls/configs/low.hpp"
-#include "hls/configs/middle.hpp"
-#include "hls/pipeline.hpp"
-#include "vectors/bounds_exact.hpp"
+#include "hls/formats/configs/high.hpp"
+#include "hls/formats/configs/low.hpp"
+#include "hls/formats/configs/middle.hpp"
+#include "hls/pipeline/pipeline.hpp"
+#include "study/bounds/bounds_exact.hpp"
 
 namespace halfspace::tests {
 namespace {
 
-using vectors::Wide;
+using model::Wide;
 
 // R = round(2^(r+s) / D), ties up, for every kind of D.
 template <class F>

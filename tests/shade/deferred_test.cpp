@@ -5,17 +5,18 @@
 #include <cstdio>
 
 #include "ref/error.hpp"
-#include "ref/scene.hpp"
-#include "tests/lit_configs.hpp"
-#include "vectors/engine.hpp"
-#include "vectors/field_value.hpp"
+#include "ref/scene/scene.hpp"
+#include "tests/shade/lit_configs.hpp"
+#include "model/pipeline/engine.hpp"
+#include "model/formats/field_value.hpp"
 #include "vectors/frame_builder.hpp"
-#include "vectors/frame_lighting.hpp"
+#include "model/shade/frame_lighting.hpp"
+#include "vectors/awkward_normals.hpp"
 
 namespace halfspace::tests {
 namespace {
 
-using vectors::Configuration;
+using model::Configuration;
 
 Configuration configuration_of(const Config& config) { return Configuration(config.name, config); }
 
@@ -26,11 +27,11 @@ Config unlit(Config config) {
 }
 
 // How many words of a stream of a frame have `field` set; all words if it is null.
-std::size_t count(vectors::Engine& engine, const ref::SnappedList& list, const std::string& stream, const char* field) {
+std::size_t count(model::Engine& engine, const ref::SnappedList& list, const std::string& stream, const char* field) {
   std::size_t found = 0;
-  engine.capture(list, [&](const vectors::Layout& layout, const vectors::Word* words, std::size_t n) {
+  engine.capture(list, [&](const model::Layout& layout, const model::Word* words, std::size_t n) {
     if (layout.stream != stream) return;
-    found += field ? vectors::count_set(layout, words, n, field) : n;
+    found += field ? model::count_set(layout, words, n, field) : n;
   });
   return found;
 }
@@ -42,15 +43,15 @@ TEST_P(DeferredLighting, DrawsThePictureOfTrianglesThatWereLitBefore) {
   config.materials = 512;  // castle has 384
   config.triangles = 4096;
   std::size_t hidden = 0;
-  const auto deferred = vectors::make_engine(configuration_of(config), 4);
-  const auto at_once = vectors::make_engine(configuration_of(unlit(config)), 4);
-  const auto lighting = vectors::make_lighting_engine(config);
+  const auto deferred = model::make_engine(configuration_of(config), 4);
+  const auto at_once = model::make_engine(configuration_of(unlit(config)), 4);
+  const auto lighting = model::make_lighting_engine(config);
   for (const std::string& name : ref::builtin_scene_names()) {
     const ref::Scene scene = ref::load_scene(name);
     const int width = std::min(config.width, 320), height = std::min(config.height, 200);
     const ref::Geometry geometry(scene, {width, height, config.range_bits, config.subpixel_bits});
-    ref::SnappedList list = ref::snap(geometry.positions(), vectors::raster_format(configuration_of(config)));
-    const vectors::LightingFrame frame = vectors::frame_lighting(geometry, config);
+    ref::SnappedList list = ref::snap(geometry.positions(), model::raster_format(configuration_of(config)));
+    const model::LightingFrame frame = model::frame_lighting(geometry, config);
     deferred->light(frame);
     const ref::Frame got = deferred->render(list);
     const std::size_t lit = count(*deferred, list, "normals", nullptr);
@@ -77,7 +78,7 @@ INSTANTIATE_TEST_SUITE_P(Configurations, DeferredLighting,
 
 // 40 visible triangles side by side, before each of them 25 that an earlier, nearer one hides.
 ref::SnappedList crowd(const ref::RasterFormat& format) {
-  vectors::FrameBuilder b(format, 60, 40);
+  model::FrameBuilder b(format, 60, 40);
   const int one = b.one();
   b.add({0, 0}, {20 * one, 0}, {0, 20 * one}).depth(1);
   for (int n = 1; n <= 1000; ++n) {
@@ -94,11 +95,11 @@ ref::SnappedList crowd(const ref::RasterFormat& format) {
 // As many indices as triangles are visible, and a window of them: the picture of a frame with an index for each triangle.
 void expect_reuse(Config config, int window) {
   config.triangles = 2000;
-  ref::RasterFormat format = vectors::raster_format(configuration_of(config));
+  ref::RasterFormat format = model::raster_format(configuration_of(config));
   const ref::SnappedList list = crowd(format);
-  vectors::LightingFrame normals;
-  if (has_lighting(config)) normals = vectors::awkward_normals(list.triangles.size(), config, 7);
-  const auto large = vectors::make_engine(configuration_of(config), 4);
+  model::LightingFrame normals;
+  if (has_lighting(config)) normals = model::awkward_normals(list.triangles.size(), config, 7);
+  const auto large = model::make_engine(configuration_of(config), 4);
   if (has_lighting(config)) large->light(normals);
   const ref::Frame want = large->render(list);
   std::size_t visible = 0;
@@ -106,14 +107,14 @@ void expect_reuse(Config config, int window) {
   ASSERT_EQ(visible, 41u);
 
   config.triangles = int(visible) + window;
-  const auto small = vectors::make_engine(configuration_of(config), 4);
+  const auto small = model::make_engine(configuration_of(config), 4);
   if (has_lighting(config)) small->light(normals);
   EXPECT_THROW(small->render(list), ref::Error);
   small->reuse_indices(window);
   EXPECT_EQ(small->render(list).colour, want.colour) << config.name << ", window " << window;
 
   config.triangles = int(visible) - 1;
-  const auto tiny = vectors::make_engine(configuration_of(config), 4);
+  const auto tiny = model::make_engine(configuration_of(config), 4);
   if (has_lighting(config)) tiny->light(normals);
   tiny->reuse_indices(window);
   EXPECT_THROW(tiny->render(list), ref::Error) << "more are visible than there are indices";

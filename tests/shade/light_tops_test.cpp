@@ -7,10 +7,10 @@
 #include <string>
 
 #include "hls/top/fields.hpp"
-#include "vectors/engine.hpp"
-#include "vectors/field_value.hpp"
-#include "vectors/frame_lighting.hpp"
-#include "vectors/lighting_engine.hpp"
+#include "model/pipeline/engine.hpp"
+#include "model/formats/field_value.hpp"
+#include "vectors/awkward_normals.hpp"
+#include "model/shade/lighting_engine.hpp"
 #include "vectors/standard_set.hpp"
 
 extern "C" void light_vertex_top(const std::int64_t*, const halfspace::LightTable<halfspace::TopFormats>*,
@@ -23,22 +23,22 @@ namespace halfspace::tests {
 namespace {
 
 using F = TopFormats;
-using vectors::Word;
+using model::Word;
 
-std::vector<std::int64_t> fields_of(const vectors::Layout& layout, const Word& word) {
+std::vector<std::int64_t> fields_of(const model::Layout& layout, const Word& word) {
   std::vector<std::int64_t> fields;
-  for (const vectors::Field& field : layout.fields) fields.push_back(vectors::field_value(word, field));
+  for (const model::Field& field : layout.fields) fields.push_back(model::field_value(word, field));
   return fields;
 }
 
 TEST(LightTops, GiveTheWordsOfTheKernels) {
-  const auto engine = vectors::make_lighting_engine(F::config());
+  const auto engine = model::make_lighting_engine(F::config());
   auto lights = std::make_unique<LightTable<F>>();
   auto materials = std::make_unique<MaterialTable<F>>();
   int compared = 0;
-  for (const vectors::LightingFrame& frame : vectors::lighting_frames(F::config(), 4)) {
+  for (const model::LightingFrame& frame : model::lighting_frames(F::config(), 4)) {
     std::vector<std::vector<std::vector<std::int64_t>>> streams;
-    engine->capture(frame, [&](const vectors::Layout& layout, const Word* words, std::size_t count) {
+    engine->capture(frame, [&](const model::Layout& layout, const Word* words, std::size_t count) {
       auto& stream = streams.emplace_back();
       for (std::size_t n = 0; n < count; ++n) stream.push_back(fields_of(layout, words[n]));
     });
@@ -63,13 +63,13 @@ TEST(LightTops, GiveTheWordsOfTheKernels) {
 }
 
 TEST(LightTops, SelectAndSetUpAsTheKernels) {
-  const vectors::Configuration configuration(F::config().name, F::config());
-  const auto engine = vectors::make_engine(configuration, F::kLanes);
+  const model::Configuration configuration(F::config().name, F::config());
+  const auto engine = model::make_engine(configuration, F::kLanes);
   std::size_t selected = 0, set_up = 0, dropped = 0;
-  for (vectors::NamedFrame& frame : vectors::random_frames(vectors::raster_format(configuration), 5, 12, 60)) {
-    engine->light(vectors::awkward_normals(frame.scene.triangles.size(), F::config(), 5));
+  for (model::NamedFrame& frame : model::random_frames(model::raster_format(configuration), 5, 12, 60)) {
+    engine->light(model::awkward_normals(frame.scene.triangles.size(), F::config(), 5));
     std::map<std::string, std::vector<std::vector<std::int64_t>>> streams;
-    engine->capture(frame.scene, [&](const vectors::Layout& layout, const Word* words, std::size_t count) {
+    engine->capture(frame.scene, [&](const model::Layout& layout, const Word* words, std::size_t count) {
       if (layout.head_bits != layout.bits) return;  // with lanes
       auto& stream = streams[layout.stream];
       for (std::size_t n = 0; n < count; ++n) stream.push_back(fields_of(layout, words[n]));

@@ -8,19 +8,20 @@
 #include <random>
 
 #include "ref/error.hpp"
-#include "ref/scene.hpp"
-#include "ref/viewpoint.hpp"
-#include "tests/lit_configs.hpp"
-#include "vectors/bounds_exact.hpp"
-#include "vectors/format_fields.hpp"
-#include "vectors/lighting_bounds.hpp"
-#include "vectors/lighting_engine.hpp"
+#include "ref/scene/scene.hpp"
+#include "ref/geometry/viewpoint.hpp"
+#include "tests/shade/lit_configs.hpp"
+#include "study/bounds/bounds_exact.hpp"
+#include "model/formats/format_fields.hpp"
+#include "study/proofs/lighting_bounds.hpp"
+#include "model/shade/lighting_engine.hpp"
+#include "tests/config_path.hpp"
 
 namespace halfspace::tests {
 namespace {
 
-using vectors::LightingFrame;
-using vectors::Wide;
+using model::LightingFrame;
+using model::Wide;
 
 template <class C>
 using LitFormats = Formats<C, Stamp1>;
@@ -70,20 +71,20 @@ struct Worst {
 };
 
 // Sums of all normals of a frame against the exact ones.
-void compare(vectors::LightingEngine& engine, const LightingFrame& frame, const Config& config, Worst& worst) {
+void compare(model::LightingEngine& engine, const LightingFrame& frame, const Config& config, Worst& worst) {
   const auto sums = engine.sums(frame);
   const NumberFormat format = format_table(config).light_sum;
   for (std::size_t t = 0; t < sums.size(); ++t) {
     for (int v = 0; v < (is_gouraud(config) ? 3 : 1); ++v) {
       const auto& normal = frame.triangles[t].normals[v];
       for (int c = 0; c < 3; ++c) {
-        vectors::ExactLight exact{};
+        model::ExactLight exact{};
         if (normal == std::array<int, 3>{0, 0, 0}) {
           for (const auto& reflection : frame.materials[frame.triangles[t].material].reflections) {
             exact.value += std::ldexp((long double)reflection.base[c], -kCoefficientFraction);
           }
         } else {
-          exact = vectors::exact_light(frame, frame.triangles[t].material, normal, c, config);
+          exact = model::exact_light(frame, frame.triangles[t].material, normal, c, config);
         }
         const long double got = std::ldexp((long double)sums[t][v][c], format.integer - format.width);
         const double error = double(std::abs(got - exact.value));
@@ -102,18 +103,18 @@ class Lighting : public testing::TestWithParam<Config> {};
 
 TEST_P(Lighting, IsWithinTheBoundOfTheExactFormula) {
   const Config config = GetParam();
-  const auto engine = vectors::make_lighting_engine(config);
+  const auto engine = model::make_lighting_engine(config);
   Worst frames;
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-    for (const LightingFrame& frame : vectors::lighting_frames(config, seed)) compare(*engine, frame, config, frames);
+    for (const LightingFrame& frame : model::lighting_frames(config, seed)) compare(*engine, frame, config, frames);
   }
   EXPECT_GT(frames.compared, 10000u);
   std::printf("%-10s %llu channels, at most %.4f of their bound\n", config.name,
               static_cast<unsigned long long>(frames.compared), frames.share);
-  vectors::BoundsReport report = vectors::proved_bounds(config);
-  vectors::measure_lighting(config, 11, 120, report);
-  for (const auto quantity : {vectors::kLightCosine, vectors::kLightPower, vectors::kLightSum}) {
-    const vectors::BoundRow& row = report.rows[quantity];
+  model::BoundsReport report = model::proved_bounds(config);
+  model::measure_lighting(config, 11, 120, report);
+  for (const auto quantity : {model::kLightCosine, model::kLightPower, model::kLightSum}) {
+    const model::BoundRow& row = report.rows[quantity];
     if (!row.present()) continue;
     std::printf("%-10s %s: proved %.4f %s, seen %.4f of %llu\n", config.name, row.quantity.c_str(), row.proved,
                 row.unit.c_str(), row.seen, static_cast<unsigned long long>(row.compared));
@@ -124,11 +125,11 @@ TEST_P(Lighting, IsWithinTheBoundOfTheExactFormula) {
 
 TEST_P(Lighting, ColoursAreRoundedSums) {
   const Config config = GetParam();
-  const auto engine = vectors::make_lighting_engine(config);
+  const auto engine = model::make_lighting_engine(config);
   const NumberFormat format = format_table(config).light_sum;
   const int fraction = format.width - format.integer, full = (1 << config.colour_bits) - 1;
   int clamped = 0, compared = 0;
-  for (const LightingFrame& frame : vectors::lighting_frames(config, 1)) {
+  for (const LightingFrame& frame : model::lighting_frames(config, 1)) {
     const auto sums = engine->sums(frame);
     const auto colours = engine->colours(frame);
     for (std::size_t t = 0; t < sums.size(); ++t) {
@@ -148,9 +149,9 @@ TEST_P(Lighting, ColoursAreRoundedSums) {
 // Formats read at run time, which everything else here uses, give the bits of compiled ones.
 template <class C>
 void expect_compiled_equal() {
-  vectors::LightingKernels<LitFormats<C>> compiled;
-  const auto runtime = vectors::make_lighting_engine(C::config());
-  for (const LightingFrame& frame : vectors::lighting_frames(C::config(), 2)) {
+  model::LightingKernels<LitFormats<C>> compiled;
+  const auto runtime = model::make_lighting_engine(C::config());
+  for (const LightingFrame& frame : model::lighting_frames(C::config(), 2)) {
     ASSERT_EQ(compiled.sums(frame), runtime->sums(frame)) << frame.note;
     ASSERT_EQ(compiled.colours(frame), runtime->colours(frame)) << frame.note;
   }
@@ -165,29 +166,29 @@ TEST(LightingFormats, CompiledAndReadAtRunTimeAreEqual) {
 // The toml files that the RTL is built from say the same.
 TEST(LightingFormats, FilesAndHeadersAgree) {
   for (const Config& config : {LitLow::config(), LitMiddle::config(), LitHigh::config(), LitMatte::config()}) {
-    const vectors::Configuration file =
-        vectors::find_configuration(std::string(HALFSPACE_SOURCE "/tests/configs/") + config.name + ".toml");
-    EXPECT_EQ(vectors::configuration_toml(file),
-              vectors::configuration_toml(vectors::Configuration(config.name, config)));
-    EXPECT_EQ(vectors::configuration_toml(file), vectors::configuration_toml(vectors::parse_configuration(
-                                                     vectors::configuration_toml(file), "x.toml")));
+    const model::Configuration file =
+        model::find_configuration(config_path(config.name));
+    EXPECT_EQ(model::configuration_toml(file),
+              model::configuration_toml(model::Configuration(config.name, config)));
+    EXPECT_EQ(model::configuration_toml(file), model::configuration_toml(model::parse_configuration(
+                                                     model::configuration_toml(file), "x.toml")));
   }
 }
 
 // With the top bit of a width taken away the sums change.
 TEST_P(Lighting, NoWidthIsABitTooWide) {
   const Config config = GetParam();
-  const auto frames = vectors::lighting_frames(config, 1);
-  const auto right = vectors::make_lighting_engine(config);
+  const auto frames = model::lighting_frames(config, 1);
+  const auto right = model::make_lighting_engine(config);
   std::vector<std::vector<std::array<std::array<std::uint64_t, 3>, 3>>> sums;
   for (const LightingFrame& frame : frames) sums.push_back(right->sums(frame));
-  for (const vectors::FormatField& field : vectors::lighting_format_fields()) {
+  for (const model::FormatField& field : model::lighting_format_fields()) {
     FormatTable table = format_table(config);
     NumberFormat& format = table.*field.format;
     if (format.width == 1 || !field.is_used(config)) continue;
     --format.width;
     --format.integer;
-    const auto narrower = vectors::make_lighting_engine(config, table);
+    const auto narrower = model::make_lighting_engine(config, table);
     bool differs = false;
     for (std::size_t f = 0; f < frames.size() && !differs; ++f) differs = narrower->sums(frames[f]) != sums[f];
     EXPECT_TRUE(differs) << field.name << " of " << config.name << " can do with " << format.width << " bits";
@@ -201,7 +202,7 @@ INSTANTIATE_TEST_SUITE_P(Of, Lighting,
 // in doubles: 1 LSB of 8 at most.
 void expect_scenes(bool polished) {
   const Config config = LitHigh::config();
-  const auto engine = vectors::make_lighting_engine(config);
+  const auto engine = model::make_lighting_engine(config);
   for (const std::string& name : ref::builtin_scene_names()) {
     ref::Scene scene = ref::load_scene(name);
     if (polished) {
@@ -213,8 +214,8 @@ void expect_scenes(bool polished) {
       }
     }
     const ref::DistantScene distant =
-        ref::distant_scene(scene, ref::viewpoint(scene, 16.0 / 9), vectors::most_squarings(config));
-    const auto colours = engine->colours(vectors::quantized_lighting(distant, config));
+        ref::distant_scene(scene, ref::viewpoint(scene, 16.0 / 9), model::most_squarings(config));
+    const auto colours = engine->colours(model::quantized_lighting(distant, config));
     ASSERT_EQ(colours.size(), distant.triangles.size());
     double worst = 0;
     std::uint64_t channels = 0;
@@ -263,7 +264,7 @@ TEST(LightingRefusals, NameWhatIsWrong) {
     Config config = LitMiddle::config();
     change(config);
     try {
-      vectors::Configuration("x", config);
+      model::Configuration("x", config);
     } catch (const ref::Error& e) {
       return std::string(e.what());
     }
@@ -277,7 +278,7 @@ TEST(LightingRefusals, NameWhatIsWrong) {
   EXPECT_NE(refusal_of([](Config& c) { c.lights = 0; }).find("are 0 where lights is 0"), std::string::npos);
   ref::DistantScene scene;
   scene.lights.resize(3);
-  EXPECT_THROW(vectors::quantized_lighting(scene, LitMiddle::config()), ref::Error);
+  EXPECT_THROW(model::quantized_lighting(scene, LitMiddle::config()), ref::Error);
 }
 
 }  // namespace

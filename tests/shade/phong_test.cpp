@@ -5,30 +5,32 @@
 #include <cmath>
 #include <cstdio>
 
-#include "ref/architecture.hpp"
+#include "ref/raster/architecture.hpp"
 #include "ref/error.hpp"
-#include "ref/scene.hpp"
-#include "ref/surface.hpp"
-#include "tests/lit_configs.hpp"
-#include "vectors/engine_impl.hpp"
-#include "vectors/format_fields.hpp"
-#include "vectors/frame_lighting.hpp"
-#include "vectors/phong_bounds.hpp"
+#include "ref/scene/scene.hpp"
+#include "ref/geometry/surface.hpp"
+#include "tests/shade/lit_configs.hpp"
+#include "model/pipeline/engine_impl.hpp"
+#include "model/formats/format_fields.hpp"
+#include "model/shade/frame_lighting.hpp"
+#include "vectors/awkward_normals.hpp"
+#include "study/proofs/phong_bounds.hpp"
 #include "vectors/standard_set.hpp"
+#include "tests/config_path.hpp"
 
 namespace halfspace::tests {
 namespace {
 
 using ref::Wide;
 
-vectors::Configuration configuration_of(const Config& config) { return vectors::Configuration(config.name, config); }
+model::Configuration configuration_of(const Config& config) { return model::Configuration(config.name, config); }
 
-std::vector<vectors::NamedFrame> frames_of(const Config& config) {
-  const ref::RasterFormat format = vectors::raster_format(configuration_of(config));
-  std::vector<vectors::NamedFrame> frames = vectors::corner_frames(format);
-  for (auto& frame : vectors::random_frames(format, 3, 6, 60)) frames.push_back(std::move(frame));
+std::vector<model::NamedFrame> frames_of(const Config& config) {
+  const ref::RasterFormat format = model::raster_format(configuration_of(config));
+  std::vector<model::NamedFrame> frames = model::corner_frames(format);
+  for (auto& frame : model::random_frames(format, 3, 6, 60)) frames.push_back(std::move(frame));
   for (std::size_t n = 0; n < frames.size(); ++n) {
-    frames[n].lighting = vectors::awkward_normals(frames[n].scene.triangles.size(), config, n);
+    frames[n].lighting = model::awkward_normals(frames[n].scene.triangles.size(), config, n);
   }
   return frames;
 }
@@ -42,13 +44,13 @@ void expect_planes_within_bound() {
   std::uint64_t compared = 0;
   double share = 0, largest = 0;
   int turned = 0, first = 0;
-  for (const vectors::NamedFrame& frame : frames_of(config)) {
+  for (const model::NamedFrame& frame : frames_of(config)) {
     Frame<F> registers{};
     registers.width = from_raw<typename F::X>(frame.scene.width);
     registers.height = from_raw<typename F::Y>(frame.scene.height);
     for (std::size_t k = 0; k < frame.scene.triangles.size(); ++k) {
       const ref::SnappedTriangle& in = frame.scene.triangles[k];
-      const vectors::RawNormals& given = frame.lighting.triangles[k];
+      const model::RawNormals& given = frame.lighting.triangles[k];
       Stream<Triangle<F>> triangle;
       Stream<Setup<F>> setup;
       Stream<Attributes<F>> attributes;
@@ -65,7 +67,7 @@ void expect_planes_within_bound() {
       const Attributes<F> shape = attributes.read();
       if (raw(shape.empty)) continue;
       attributes.write(shape);
-      normals.write(vectors::normals_record<F>(given, int(k) + 1, false));
+      normals.write(model::normals_record<F>(given, int(k) + 1, false));
       phong_setup(attributes, normals, planes);
       const NormalPlanes<F> got = planes.read();
       const ref::OrderedTriangle exact(in);
@@ -92,7 +94,7 @@ void expect_planes_within_bound() {
           for (int v = 0; v < 3; ++v) {
             distance = std::max(distance, double(std::llabs(px - in.x[v]) + std::llabs(py - in.y[v])) / one);
           }
-          const double bound = vectors::normal_plane_bound(config, distance);
+          const double bound = model::normal_plane_bound(config, distance);
           for (int c = 0; c < 3; ++c) {
             Wide sum = 0;
             for (int i = 0; i < 3; ++i) sum += Wide(weight[i]) * given.normals[exact.vertex[i]][c];
@@ -130,13 +132,13 @@ TEST(NormalPlanes, AreWithinTheBound) {
 // All stamps draw the same picture, and formats read at run time draw that of compiled ones.
 TEST(PhongShading, IsTheSameWithAllStampsAndCompiled) {
   const Config config = PhongLow::config();
-  vectors::KernelEngine<Formats<PhongLow, Stamp4>> compiled;
+  model::KernelEngine<Formats<PhongLow, Stamp4>> compiled;
   std::uint64_t lit = 0;
-  for (const vectors::NamedFrame& frame : frames_of(config)) {
+  for (const model::NamedFrame& frame : frames_of(config)) {
     compiled.light(frame.lighting);
     const ref::Frame want = compiled.render(frame.scene);
     for (const int lanes : {1, 2, 4, 8, 16}) {
-      const auto engine = vectors::make_engine(configuration_of(config), lanes);
+      const auto engine = model::make_engine(configuration_of(config), lanes);
       engine->light(frame.lighting);
       ASSERT_EQ(engine->render(frame.scene).colour, want.colour) << frame.note << ", " << lanes << " lanes";
     }
@@ -162,15 +164,15 @@ SceneResult compare_scene(const std::string& name, bool polished, const Config& 
       scene.lights.back().colour = {0.15, 0.2, 0.17};
     }
   }
-  const vectors::Configuration configuration = configuration_of(config);
+  const model::Configuration configuration = configuration_of(config);
   ref::Geometry geometry(scene, {width, height, config.range_bits, config.subpixel_bits});
-  const ref::SnappedList list = ref::snap(geometry.positions(), vectors::raster_format(configuration));
-  const auto engine = vectors::make_engine(configuration, 4);
-  engine->light(vectors::frame_lighting(geometry, config));
+  const ref::SnappedList list = ref::snap(geometry.positions(), model::raster_format(configuration));
+  const auto engine = model::make_engine(configuration, 4);
+  engine->light(model::frame_lighting(geometry, config));
   const ref::Frame got = engine->render(list);
   const auto surface = ref::lit_surface(geometry, list, ref::ShadingMode::kPhong);
   const ref::Drawing want = ref::draw(list, *surface, ref::Architecture::kDelta);
-  const ref::DistantScene distant = ref::distant_scene(scene, geometry.viewpoint(), vectors::most_squarings(config));
+  const ref::DistantScene distant = ref::distant_scene(scene, geometry.viewpoint(), model::most_squarings(config));
 
   SceneResult result;
   for (int y = 0; y < height; ++y) {
@@ -190,7 +192,7 @@ SceneResult compare_scene(const std::string& name, bool polished, const Config& 
       }
       result.shortest = std::min(result.shortest, glm::length(n));
       for (int c = 0; c < 3; ++c) {
-        const vectors::PhongBound bound = vectors::phong_bound(distant, material, n, c, distance, config);
+        const model::PhongBound bound = model::phong_bound(distant, material, n, c, distance, config);
         const double error = std::abs(double(got.colour[at][c]) - exact[c]), most = 0.5 + bound.error + bound.jump;
         EXPECT_LE(error, most) << name << ", pixel " << x << ", " << y << ", channel " << c;
         EXPECT_LE(std::abs(int(got.colour[at][c]) - int(want.colour[at][c])), within)
@@ -228,8 +230,8 @@ TEST(PhongScenes, AreWithinOneOfTheReferenceInMiddle) {
 
 TEST(PhongConfigurations, FilesAndHeadersAgree) {
   for (const Config& config : {PhongLow::config(), PhongMiddle::config(), PhongHigh::config()}) {
-    const std::string path = std::string(HALFSPACE_SOURCE "/tests/configs/") + config.name + ".toml";
-    EXPECT_EQ(vectors::configuration_toml(vectors::find_configuration(path)), vectors::configuration_toml(configuration_of(config)));
+    const std::string path = config_path(config.name);
+    EXPECT_EQ(model::configuration_toml(model::find_configuration(path)), model::configuration_toml(configuration_of(config)));
   }
 }
 
@@ -259,21 +261,21 @@ TEST(PhongConfigurations, AreRefusedWithAReason) {
 TEST(PhongFormats, NoWidthIsABitTooWide) {
   for (const Config& config : {PhongLow::config(), PhongMiddle::config(), PhongHigh::config()}) {
     const auto frames = frames_of(config);
-    auto words_of = [&](vectors::Engine& engine, const vectors::NamedFrame& frame) {
-      std::vector<vectors::Word> all;
+    auto words_of = [&](model::Engine& engine, const model::NamedFrame& frame) {
+      std::vector<model::Word> all;
       engine.light(frame.lighting);
-      engine.capture(frame.scene, [&](const vectors::Layout& layout, const vectors::Word* words, std::size_t count) {
+      engine.capture(frame.scene, [&](const model::Layout& layout, const model::Word* words, std::size_t count) {
         if (layout.stream == "pixel" || layout.stream == "visible") all.insert(all.end(), words, words + count);
       });
       return all;
     };
-    const auto right = vectors::make_engine(configuration_of(config), 1);
-    for (const vectors::FormatField& field : vectors::lighting_format_fields()) {
+    const auto right = model::make_engine(configuration_of(config), 1);
+    for (const model::FormatField& field : model::lighting_format_fields()) {
       if (std::string(field.name).rfind("normal_", 0) != 0) continue;
       FormatTable table = format_table(config);
       NumberFormat& format = table.*field.format;
       --format.width, --format.integer;
-      const auto narrower = vectors::make_runtime_engine(config, table, 1);
+      const auto narrower = model::make_runtime_engine(config, table, 1);
       bool differs = false;
       for (std::size_t n = 0; n < frames.size() && !differs; ++n) {
         differs = words_of(*narrower, frames[n]) != words_of(*right, frames[n]);
@@ -285,8 +287,8 @@ TEST(PhongFormats, NoWidthIsABitTooWide) {
 
 TEST(PhongShading, RefusesFramesWithoutNormals) {
   const Config config = PhongLow::config();
-  const auto frames = vectors::random_frames(vectors::raster_format(configuration_of(config)), 1, 1, 5);
-  EXPECT_THROW(vectors::make_engine(configuration_of(config), 1)->render(frames[0].scene), ref::Error);
+  const auto frames = model::random_frames(model::raster_format(configuration_of(config)), 1, 1, 5);
+  EXPECT_THROW(model::make_engine(configuration_of(config), 1)->render(frames[0].scene), ref::Error);
 }
 
 }  // namespace

@@ -6,10 +6,10 @@
 #include <memory>
 
 #include "hls/top/fields.hpp"
-#include "vectors/engine.hpp"
-#include "vectors/field_value.hpp"
-#include "vectors/lighting_records.hpp"
-#include "vectors/frame_lighting.hpp"
+#include "model/pipeline/engine.hpp"
+#include "model/formats/field_value.hpp"
+#include "model/shade/lighting_records.hpp"
+#include "vectors/awkward_normals.hpp"
 #include "vectors/standard_set.hpp"
 
 using TopNormalDatabase = halfspace::NormalDatabase<halfspace::TopFormats>;
@@ -22,28 +22,28 @@ namespace halfspace::tests {
 namespace {
 
 using F = TopFormats;
-using vectors::Word;
+using model::Word;
 using Words = std::vector<std::vector<std::int64_t>>;
 
 TEST(PhongTops, GiveTheWordsOfTheKernels) {
-  const vectors::Configuration configuration(F::config().name, F::config());
-  const auto engine = vectors::make_engine(configuration, F::kLanes);
+  const model::Configuration configuration(F::config().name, F::config());
+  const auto engine = model::make_engine(configuration, F::kLanes);
   const auto database = std::make_unique<TopNormalDatabase>();
   const auto lights = std::make_unique<LightTable<F>>();
   const auto materials = std::make_unique<MaterialTable<F>>();
   std::size_t planes = 0, pixels = 0;
-  for (vectors::NamedFrame& frame : vectors::random_frames(vectors::raster_format(configuration), 5, 12, 60)) {
-    frame.lighting = vectors::awkward_normals(frame.scene.triangles.size(), F::config(), 5);
+  for (model::NamedFrame& frame : model::random_frames(model::raster_format(configuration), 5, 12, 60)) {
+    frame.lighting = model::awkward_normals(frame.scene.triangles.size(), F::config(), 5);
     engine->light(frame.lighting);
-    vectors::load_lights<F>(frame.lighting, *lights);
-    vectors::load_materials<F>(frame.lighting, *materials);
+    model::load_lights<F>(frame.lighting, *lights);
+    model::load_materials<F>(frame.lighting, *materials);
     std::map<std::string, Words> streams;
-    engine->capture(frame.scene, [&](const vectors::Layout& layout, const Word* words, std::size_t count) {
+    engine->capture(frame.scene, [&](const model::Layout& layout, const Word* words, std::size_t count) {
       Words& stream = streams[layout.stream];
       for (std::size_t n = 0; n < count; ++n) {
         auto& fields = stream.emplace_back();
-        for (const vectors::Field& field : layout.fields) {
-          for (int l = 0; l < field.count; ++l) fields.push_back(vectors::field_value(words[n], field, l));
+        for (const model::Field& field : layout.fields) {
+          for (int l = 0; l < field.count; ++l) fields.push_back(model::field_value(words[n], field, l));
         }
       }
     });

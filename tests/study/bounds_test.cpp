@@ -5,16 +5,16 @@
 #include <cmath>
 #include <random>
 
-#include "hls/formats.hpp"
-#include "vectors/bounds.hpp"
-#include "vectors/bounds_measure.hpp"
+#include "hls/formats/formats.hpp"
+#include "study/bounds/bounds.hpp"
+#include "study/bounds/bounds_measure.hpp"
 
 namespace halfspace::tests {
 namespace {
 
-using vectors::BoundRow;
-using vectors::BoundsReport;
-using vectors::Configuration;
+using model::BoundRow;
+using model::BoundsReport;
+using model::Configuration;
 
 void expect_holds(const BoundsReport& report) {
   EXPECT_TRUE(report.holds());
@@ -27,14 +27,14 @@ void expect_holds(const BoundsReport& report) {
 }
 
 BoundsReport measured(const Configuration& configuration, int triangles, std::uint64_t seed) {
-  vectors::MeasureOptions options;
+  model::MeasureOptions options;
   options.triangles = triangles;
   options.seed = seed;
-  return vectors::measured_bounds(configuration, options);
+  return model::measured_bounds(configuration, options);
 }
 
 TEST(Bounds, OfNamedConfigurationsHoldAndAreTight) {
-  for (const Configuration& configuration : vectors::named_configurations()) {
+  for (const Configuration& configuration : model::named_configurations()) {
     SCOPED_TRACE(configuration.name());
     const BoundsReport report = measured(configuration, 300, 7);
     expect_holds(report);
@@ -44,8 +44,8 @@ TEST(Bounds, OfNamedConfigurationsHoldAndAreTight) {
       std::printf("%-7s %-15s %-21s %.4g of %.4g\n", configuration.name().c_str(), row.kernel.c_str(), row.quantity.c_str(),
                   row.seen, row.proved);
     }
-    EXPECT_LE(report.rows[vectors::kDepthPlane].proved, 0.39) << "the goal for depth before rounding";
-    EXPECT_LE(report.rows[vectors::kColourPlane].proved, 1.0 / 16) << "the goal for colour before rounding";
+    EXPECT_LE(report.rows[model::kDepthPlane].proved, 0.39) << "the goal for depth before rounding";
+    EXPECT_LE(report.rows[model::kColourPlane].proved, 1.0 / 16) << "the goal for colour before rounding";
   }
 }
 
@@ -67,7 +67,7 @@ TEST(Bounds, OfConfigurationsThatNobodyNamedHold) {
     if (refusal(c) != Refusal::kNone) continue;
     ++accepted;
     const Configuration configuration("unnamed", c);
-    SCOPED_TRACE(vectors::configuration_toml(configuration));
+    SCOPED_TRACE(model::configuration_toml(configuration));
     expect_holds(measured(configuration, 15, std::uint64_t(tries)));
   }
   EXPECT_EQ(accepted, 16);
@@ -76,30 +76,30 @@ TEST(Bounds, OfConfigurationsThatNobodyNamedHold) {
 // What objects add is exact, and looked at, with few objects and with many.
 TEST(Bounds, OfConfigurationsWithObjectsHold) {
   for (const int bits : {1, 4, 22}) {
-    Config c = vectors::find_configuration("low").config();
+    Config c = model::find_configuration("low").config();
     c.object_bits = bits;
     const BoundsReport report = measured(Configuration("objects", c), 10, 5);
     expect_holds(report);
-    for (const vectors::Quantity quantity : {vectors::kEntry, vectors::kMerge, vectors::kMergeFound}) {
+    for (const model::Quantity quantity : {model::kEntry, model::kMerge, model::kMergeFound}) {
       EXPECT_TRUE(report.rows[quantity].present());
       EXPECT_TRUE(report.rows[quantity].exact());
     }
-    EXPECT_GT(report.rows[vectors::kMerge].compared, 10000u);
+    EXPECT_GT(report.rows[model::kMerge].compared, 10000u);
   }
-  EXPECT_FALSE(measured(vectors::find_configuration("low"), 1, 5).rows[vectors::kMerge].present());
+  EXPECT_FALSE(measured(model::find_configuration("low"), 1, 5).rows[model::kMerge].present());
 }
 
 // A place that is named is the place: its triangle alone has the error again.
 TEST(Bounds, AreSeenAgainWhereTheyWereSeen) {
-  const Configuration configuration = vectors::find_configuration("middle");
+  const Configuration configuration = model::find_configuration("middle");
   const Config config = configuration.config();
   const BoundsReport report = measured(configuration, 50, 3);
   int again = 0;
-  for (int quantity = 0; quantity < vectors::kQuantities; ++quantity) {
+  for (int quantity = 0; quantity < model::kQuantities; ++quantity) {
     const BoundRow& row = report.rows[quantity];
     if (!row.where.is_triangle) continue;
-    BoundsReport alone = vectors::proved_bounds(config);
-    vectors::TriangleMeter meter(config, alone);
+    BoundsReport alone = model::proved_bounds(config);
+    model::TriangleMeter meter(config, alone);
     meter.begin("alone", config.width, config.height);
     meter.measure(row.where.triangle);
     EXPECT_EQ(alone.rows[quantity].seen, row.seen) << row.kernel << ": " << row.quantity;
@@ -111,19 +111,19 @@ TEST(Bounds, AreSeenAgainWhereTheyWereSeen) {
 // The meter is not blind: kernels with a bit less are beyond the bounds that hold with it.
 TEST(Bounds, AreExceededWithABitLess) {
   int tried = 0;
-  auto expect_exceeded = [&](const Configuration& configuration, int Config::*number, vectors::Quantity quantity, int lost) {
+  auto expect_exceeded = [&](const Configuration& configuration, int Config::*number, model::Quantity quantity, int lost) {
     Config less = configuration.config();
     less.*number -= 1;
     if (refusal(less) != Refusal::kNone) return;
     ++tried;
     // `lost`: bits by which the unit of the quantity has grown with it.
     const double seen = std::ldexp(measured(Configuration("less", less), 100, 7).rows[quantity].seen, lost);
-    EXPECT_GT(seen, vectors::proved_bounds(configuration.config()).rows[quantity].proved) << configuration.name();
+    EXPECT_GT(seen, model::proved_bounds(configuration.config()).rows[quantity].proved) << configuration.name();
   };
-  for (const Configuration& configuration : vectors::named_configurations()) {
-    expect_exceeded(configuration, &Config::reciprocal_bits, vectors::kReciprocal, 1);
-    expect_exceeded(configuration, &Config::depth_fraction, vectors::kDepthPlane, 0);
-    expect_exceeded(configuration, &Config::colour_fraction, vectors::kColourPlane, 0);
+  for (const Configuration& configuration : model::named_configurations()) {
+    expect_exceeded(configuration, &Config::reciprocal_bits, model::kReciprocal, 1);
+    expect_exceeded(configuration, &Config::depth_fraction, model::kDepthPlane, 0);
+    expect_exceeded(configuration, &Config::colour_fraction, model::kColourPlane, 0);
   }
   EXPECT_GE(tried, 6);
 }
@@ -131,8 +131,8 @@ TEST(Bounds, AreExceededWithABitLess) {
 // The largest values behind the widths. Each is linear in every one of its variables, so it is largest where all of them
 // are at an end of their range: the ends are tried, all of them.
 TEST(Bounds, OfExactNumbersAreReachedAtTheEndsOfTheirRanges) {
-  using vectors::Wide;
-  for (const Configuration& configuration : vectors::named_configurations()) {
+  using model::Wide;
+  for (const Configuration& configuration : model::named_configurations()) {
     const Config c = configuration.config();
     const FormatTable table = format_table(c);
     const std::int64_t low = -(std::int64_t(1) << (table.coord.width - 1)), high = -low - 1;

@@ -9,11 +9,11 @@
 #include <random>
 
 #include "ref/error.hpp"
-#include "ref/geometry.hpp"
-#include "ref/ideal.hpp"
-#include "ref/scene.hpp"
-#include "vectors/engine.hpp"
-#include "vectors/trade.hpp"
+#include "ref/geometry/geometry.hpp"
+#include "ref/raster/ideal.hpp"
+#include "ref/scene/scene.hpp"
+#include "model/pipeline/engine.hpp"
+#include "study/trade/trade.hpp"
 
 namespace halfspace::tests {
 namespace {
@@ -141,7 +141,7 @@ TEST(Trade, PictureErrorCountsWhatDiffers) {
   s.frame.index[1] = 2;
   s.frame.index[2] = 0;
   s.frame.colour[2] = {0, 0, 0, 255};
-  const vectors::PictureError e = vectors::picture_error(s.ideal, s.list, s.frame, 8);
+  const model::PictureError e = model::picture_error(s.ideal, s.list, s.frame, 8);
   EXPECT_EQ(e.pixels, 4u);
   EXPECT_EQ(e.index_differ, 2u);
   EXPECT_EQ(e.covered_differ, 1u);
@@ -158,15 +158,15 @@ TEST(Trade, StoredErrorIsOfTheSameTriangles) {
   reference.exact_depth = {127.75, 128.5, 0, 0};
   reference.exact_colour = {{10, 20, 30}, {10, 20.25, 30}, {10, 20, 30}, {99, 99, 99}};
   s.frame.index[2] = 2;
-  const vectors::StoredError e = vectors::stored_error(reference, s.frame, 8);
+  const model::StoredError e = model::stored_error(reference, s.frame, 8);
   EXPECT_DOUBLE_EQ(e.depth_largest, 0.5);
   EXPECT_DOUBLE_EQ(e.colour_largest, 0.25);
-  EXPECT_EQ(vectors::stored_error(reference, s.frame, 0).depth_largest, 0);
+  EXPECT_EQ(model::stored_error(reference, s.frame, 0).depth_largest, 0);
 }
 
 TEST(Trade, ShimmerIsWhatChanges) {
   Small s;
-  vectors::ShimmerMeter still, flash;
+  model::ShimmerMeter still, flash;
   for (int k = 0; k < 5; ++k) {
     s.frame.colour[0][1] = 70;
     still.add(s.ideal, s.list, s.frame);
@@ -183,12 +183,12 @@ TEST(Trade, ShimmerIsWhatChanges) {
 
 TEST(Trade, SubpixelBitsBuyEdges) {
   const ref::Scene scene = ref::load_scene("teapot");
-  const vectors::Projection project = [&](const ref::View& view) { return ref::project(scene, view); };
-  vectors::Trade last;
+  const model::Projection project = [&](const ref::View& view) { return ref::project(scene, view); };
+  model::Trade last;
   for (const int f : {1, 4, 7}) {
-    Config config = vectors::find_configuration("middle").config();
+    Config config = model::find_configuration("middle").config();
     config.subpixel_bits = f;
-    const vectors::Trade trade = vectors::measure_trade(project, 160, 120, {"test", config}, 4);
+    const model::Trade trade = model::measure_trade(project, 160, 120, {"test", config}, 4);
     EXPECT_FALSE(trade.compiled);
     EXPECT_GT(trade.native_ms, 0);
     EXPECT_EQ(trade.reference.covered_differ, 0u);
@@ -206,10 +206,10 @@ TEST(Trade, SubpixelBitsBuyEdges) {
 
 TEST(Trade, WhatIsNotThereHasNoTraffic) {
   const ref::Scene scene = ref::load_scene("cube");
-  const vectors::Projection project = [&](const ref::View& view) { return ref::project(scene, view); };
+  const model::Projection project = [&](const ref::View& view) { return ref::project(scene, view); };
   const Config flat{"flat", 160, 120, 100, 9, 6, 0, 8, 0, 0, 0, 4, Shading::kFlat};
-  const vectors::Trade trade = vectors::measure_trade(project, 160, 120, {"flat", flat}, 1);
-  const vectors::Accesses& a = trade.accesses;
+  const model::Trade trade = model::measure_trade(project, 160, 120, {"flat", flat}, 1);
+  const model::Accesses& a = trade.accesses;
   EXPECT_EQ(a.words.depth.read + a.words.depth.written, 0u);
   EXPECT_EQ(a.words.shading.written, trade.triangles);
   EXPECT_EQ(trade.ideal.depth_largest, 0);
@@ -217,14 +217,14 @@ TEST(Trade, WhatIsNotThereHasNoTraffic) {
   // Scan-out reads each index once and writes it once; what is drawn comes on top.
   EXPECT_GT(a.words.index.read, 160u * 120);
   EXPECT_LE(a.words.index.written, a.words.index.read);
-  EXPECT_EQ(vectors::total_bytes(a.words, vectors::entry_bits(flat)),
+  EXPECT_EQ(model::total_bytes(a.words, model::entry_bits(flat)),
             (7 * a.words.index.read + 7) / 8 + (7 * a.words.index.written + 7) / 8 + 24 / 8 * (a.words.shading.read + trade.triangles));
 }
 
 TEST(Trade, IntervalsOfTheNamedConfigurations) {
   const std::map<std::string, std::pair<int, int>> documented = {{"low", {21, 24}}, {"middle", {29, 30}}, {"high", {31, 30}}};
-  for (const vectors::Configuration& named : vectors::named_configurations()) {
-    const vectors::UnitIntervals intervals = vectors::unit_intervals(named.config());
+  for (const model::Configuration& named : model::named_configurations()) {
+    const model::UnitIntervals intervals = model::unit_intervals(named.config());
     EXPECT_EQ(intervals.triangle_setup, documented.at(named.name()).first) << named.name();
     EXPECT_EQ(intervals.shade_setup, documented.at(named.name()).second) << named.name();
   }

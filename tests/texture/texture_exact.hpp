@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where a pixel lies in a texture, exactly, and how far off the kernels may be there.
-#ifndef HALFSPACE_TESTS_TEXTURE_EXACT_HPP_
-#define HALFSPACE_TESTS_TEXTURE_EXACT_HPP_
+#ifndef HALFSPACE_TESTS_TEXTURE_TEXTURE_EXACT_HPP_
+#define HALFSPACE_TESTS_TEXTURE_TEXTURE_EXACT_HPP_
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/glm.hpp>
 
-#include "ref/plane.hpp"
-#include "vectors/texture.hpp"
-#include "vectors/texture_bounds.hpp"
+#include "ref/raster/plane.hpp"
+#include "model/texture/texture.hpp"
+#include "study/proofs/texture_bounds.hpp"
 
 namespace halfspace::tests {
 
@@ -23,7 +23,7 @@ struct ExactPlace {
 // of the texture, in texels.
 inline ExactPlace exact_place(const Config& config, const ref::SnappedTriangle& triangle,
                               const std::array<glm::dvec2, 3>& uv, const std::array<double, 3>& w,
-                              const vectors::RawCoordinates& words, const glm::dvec2& sides, int x, int y) {
+                              const model::RawCoordinates& words, const glm::dvec2& sides, int x, int y) {
   const std::int64_t px = ref::pixel_centre(x, config.subpixel_bits), py = ref::pixel_centre(y, config.subpixel_bits);
   const std::array<double, 3> weights = ref::vertex_weights(ref::OrderedTriangle(triangle), px, py);
   ExactPlace out{glm::dvec2(0), {}};
@@ -42,13 +42,13 @@ inline ExactPlace exact_place(const Config& config, const ref::SnappedTriangle& 
   const double least = *std::min_element(words.q.begin(), words.q.end()), repetitions = std::ldexp(1.0, words.repeats);
   for (int i = 0; i < 2; ++i) {
     const double span = sides[i] * repetitions;
-    out.bound[i] = vectors::texture_place_bound(config, span, st[i] / q, q, distance) +
-                   vectors::texture_vertex_bound(config, span, spread[i] / repetitions, q, least) +
-                   vectors::texture_cut_bound(config);
+    out.bound[i] = model::texture_place_bound(config, span, st[i] / q, q, distance) +
+                   model::texture_vertex_bound(config, span, spread[i] / repetitions, q, least) +
+                   model::texture_cut_bound(config);
   }
   return out;
 }
 
 }  // namespace halfspace::tests
 
-#endif  // HALFSPACE_TESTS_TEXTURE_EXACT_HPP_
+#endif  // HALFSPACE_TESTS_TEXTURE_TEXTURE_EXACT_HPP_

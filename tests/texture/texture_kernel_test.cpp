@@ -7,18 +7,19 @@
 #include <cstdio>
 
 #include "ref/error.hpp"
-#include "ref/plane.hpp"
-#include "tests/texture_kernels.hpp"
-#include "tests/textured_configs.hpp"
-#include "vectors/format_fields.hpp"
-#include "vectors/runtime_formats.hpp"
+#include "ref/raster/plane.hpp"
+#include "tests/texture/texture_kernels.hpp"
+#include "tests/texture/textured_configs.hpp"
+#include "model/formats/format_fields.hpp"
+#include "model/formats/runtime_formats.hpp"
 #include "vectors/standard_set.hpp"
-#include "vectors/texture_bounds.hpp"
+#include "study/proofs/texture_bounds.hpp"
+#include "tests/config_path.hpp"
 
 namespace halfspace::tests {
 namespace {
 
-vectors::Configuration configuration_of(const Config& config) { return vectors::Configuration(config.name, config); }
+model::Configuration configuration_of(const Config& config) { return model::Configuration(config.name, config); }
 
 // |y·m − 1| of every field, with all and with none of the bits that are cut.
 template <class C>
@@ -33,11 +34,11 @@ void expect_reciprocal_within_bound() {
       ASSERT_EQ(int(raw(got.shift)), 0);
       const double m = std::ldexp(double(q), 1 - b), y = std::ldexp(double(raw(got.inverse)), -kInverseFraction);
       largest = std::max(largest, std::fabs(y * m - 1));
-      ASSERT_LT(std::fabs(y * m - 1), vectors::kInverseError) << q;
+      ASSERT_LT(std::fabs(y * m - 1), model::kInverseError) << q;
     }
   }
   std::printf("%-16s reciprocal: |y m - 1| <= 2^%.3f\n", C::config().name, std::log2(largest));
-  EXPECT_GT(largest, vectors::kInverseError / 2) << "the bound is loose";
+  EXPECT_GT(largest, model::kInverseError / 2) << "the bound is loose";
   for (int k = 0; k < b; ++k) {
     const auto got = reciprocal_lookup<F>(from_raw<typename F::Coordinate>((std::int64_t(1) << (b - k)) - 1));
     EXPECT_EQ(int(raw(got.shift)), k);
@@ -119,10 +120,10 @@ void for_covered(const ref::SnappedTriangle& in, int width, int height, int f, V
 // a − b modulo n, as near to 0 as it can be.
 double difference(double a, double b, double n) { return std::remainder(a - b, n); }
 
-std::vector<vectors::NamedFrame> frames_of(const Config& config) {
-  const ref::RasterFormat format = vectors::raster_format(configuration_of(config));
-  std::vector<vectors::NamedFrame> frames = vectors::corner_frames(format);
-  for (auto& frame : vectors::random_frames(format, 3, 8, 80)) frames.push_back(std::move(frame));
+std::vector<model::NamedFrame> frames_of(const Config& config) {
+  const ref::RasterFormat format = model::raster_format(configuration_of(config));
+  std::vector<model::NamedFrame> frames = model::corner_frames(format);
+  for (auto& frame : model::random_frames(format, 3, 8, 80)) frames.push_back(std::move(frame));
   return frames;
 }
 
@@ -131,21 +132,21 @@ template <class C>
 void expect_places_within_bound() {
   using F = Formats<C, Stamp1>;
   const Config config = C::config();
-  const std::vector<vectors::NamedFrame> frames = frames_of(config);
+  const std::vector<model::NamedFrame> frames = frames_of(config);
   std::uint64_t compared = 0, turned = 0, first = 0;
   double share = 0;
   for (std::size_t n = 0; n < frames.size(); ++n) {
     const ref::SnappedList& scene = frames[n].scene;
-    const vectors::TextureFrame texture = vectors::awkward_coordinates(scene.triangles.size(), config, n);
+    const model::TextureFrame texture = model::awkward_coordinates(scene.triangles.size(), config, n);
     const TextureKernels<F> kernels(scene, texture);
     for (std::size_t k = 0; k < scene.triangles.size(); ++k) {
       const ref::SnappedTriangle& in = scene.triangles[k];
-      const vectors::RawCoordinates& given = texture.triangles[k];
+      const model::RawCoordinates& given = texture.triangles[k];
       const ref::OrderedTriangle exact(in);
       if (given.texture == 0 || exact.area == 0) continue;
       turned += exact.vertex[1] != (exact.vertex[0] + 1) % 3;
       first += in.y[0] > std::min(in.y[1], in.y[2]);
-      const vectors::RawTexture& raw_texture = texture.textures[std::size_t(given.texture) - 1];
+      const model::RawTexture& raw_texture = texture.textures[std::size_t(given.texture) - 1];
       for_covered(
           in, scene.width, scene.height, config.subpixel_bits,
           [&](int x, int y, const std::array<std::int64_t, 3>& weight, double distance) {
@@ -161,7 +162,7 @@ void expect_places_within_bound() {
               const double part = plane(values) / q, side = std::ldexp(1.0, log2_side),
                            span = std::ldexp(side, given.repeats);
               const double bound =
-                  vectors::texture_place_bound(config, span, part, q, distance) + vectors::texture_cut_bound(config);
+                  model::texture_place_bound(config, span, part, q, distance) + model::texture_cut_bound(config);
               const double want = part * span - (is_bilinear(config) ? 0.5 : 0);
               // What the nearest cuts off does not matter: it is half of it to either side of the middle.
               const double cut = is_bilinear(config) ? 0 : std::ldexp(0.5, -kWeightBits);
@@ -195,7 +196,7 @@ TEST(TexturePlaces, AreWithinTheBound) {
 // All pixels of awkward frames, each with the triangle that covers it last.
 template <class F>
 std::vector<std::array<std::uint8_t, 4>> pictures_of(const Config& config,
-                                                     const std::vector<vectors::NamedFrame>& frames) {
+                                                     const std::vector<model::NamedFrame>& frames) {
   std::vector<std::array<std::uint8_t, 4>> all;
   for (std::size_t n = 0; n < frames.size(); ++n) {
     const ref::SnappedList& scene = frames[n].scene;
@@ -209,7 +210,7 @@ std::vector<std::array<std::uint8_t, 4>> pictures_of(const Config& config,
                     lit[std::size_t(y) * scene.width + x][1] = std::uint8_t(37 * k);
                   });
     }
-    TextureKernels<F> kernels(scene, vectors::awkward_coordinates(scene.triangles.size(), config, n));
+    TextureKernels<F> kernels(scene, model::awkward_coordinates(scene.triangles.size(), config, n));
     const auto picture = kernels.shade(index, lit);
     all.insert(all.end(), picture.begin(), picture.end());
   }
@@ -220,7 +221,7 @@ std::vector<std::array<std::uint8_t, 4>> pictures_of(const Config& config,
 template <class C>
 void expect_same_pictures() {
   const Config config = C::config();
-  std::vector<vectors::NamedFrame> frames = frames_of(config);
+  std::vector<model::NamedFrame> frames = frames_of(config);
   frames.resize(std::min<std::size_t>(frames.size(), 12));
   const auto want = pictures_of<Formats<C, Stamp4>>(config, frames);
   EXPECT_EQ((pictures_of<Formats<C, Stamp1>>(config, frames)), want);
@@ -242,7 +243,7 @@ TEST(TextureFormats, NoWidthIsABitTooWide) {
     const auto frames = frames_of(config);
     F::activate(config, format_table(config));
     const auto want = pictures_of<F>(config, frames);
-    for (const vectors::FormatField& field : vectors::texture_format_fields()) {
+    for (const model::FormatField& field : model::texture_format_fields()) {
       if (!field.is_used(config)) continue;
       FormatTable table = format_table(config);
       NumberFormat& format = table.*field.format;
@@ -257,11 +258,11 @@ TEST(TextureFormats, NoWidthIsABitTooWide) {
 TEST(TextureConfigurations, FilesAndHeadersAgree) {
   for (const Config& config : {TexturedLow::config(), TexturedMiddle::config(), TexturedHigh::config(),
                                TexturedFlat::config(), TexturedPhong::config()}) {
-    const std::string path = std::string(HALFSPACE_SOURCE "/tests/configs/") + config.name + ".toml";
-    EXPECT_EQ(vectors::configuration_toml(vectors::find_configuration(path)),
-              vectors::configuration_toml(configuration_of(config)));
-    EXPECT_TRUE(vectors::same_numbers(vectors::find_configuration(path).config(), config)) << config.name;
-    EXPECT_NE(vectors::configuration_header(configuration_of(config)).find(", TextureFilter::k"), std::string::npos);
+    const std::string path = config_path(config.name);
+    EXPECT_EQ(model::configuration_toml(model::find_configuration(path)),
+              model::configuration_toml(configuration_of(config)));
+    EXPECT_TRUE(model::same_numbers(model::find_configuration(path).config(), config)) << config.name;
+    EXPECT_NE(model::configuration_header(configuration_of(config)).find(", TextureFilter::k"), std::string::npos);
   }
 }
 
@@ -290,7 +291,7 @@ TEST(TextureConfigurations, AreRefusedWithAReason) {
   says([](Config& c) { c.texture = TextureFilter::kNone; }, "where texture is \"none\"");
   says(
       [](Config& c) {
-        const Config plain = vectors::find_configuration("high").config();
+        const Config plain = model::find_configuration("high").config();
         c = plain, c.mapping = TextureMapping::kPerspective;
       },
       "where texture is \"none\"");
@@ -307,7 +308,7 @@ TEST(Textures, AreFittedToTheMemory) {
   scene.textures = {texture("large", 64, 64), texture("odd", 33, 17), texture("narrow", 1, 8)};
   const Config low = TexturedLow::config(), middle = TexturedMiddle::config();
   ref::Scene in_low = scene, in_middle = scene;
-  const auto warnings = vectors::fit_textures(in_low, low);
+  const auto warnings = model::fit_textures(in_low, low);
   ASSERT_EQ(warnings.size(), 2u);
   EXPECT_EQ(warnings[0],
             "large: 64x64 texels are scaled to 32x32: configuration textured_low has 4096 texels, and sides of powers "
@@ -315,34 +316,34 @@ TEST(Textures, AreFittedToTheMemory) {
   EXPECT_NE(warnings[1].find("odd: 33x17 texels are scaled to 32x16"), std::string::npos);
   EXPECT_EQ(in_low.textures[2].width, 1);
   for (const ref::Texture& t : in_low.textures) EXPECT_EQ(t.texels, texture("", t.width, t.height).texels);
-  ASSERT_EQ(vectors::fit_textures(in_middle, middle).size(), 1u);
+  ASSERT_EQ(model::fit_textures(in_middle, middle).size(), 1u);
   EXPECT_EQ(in_middle.textures[0].width, 64);
   EXPECT_EQ(in_middle.textures[2].width, 2) << "a bilinear filter has two banks each way";
-  const vectors::TextureFrame frame = vectors::loaded_textures(in_middle.textures, middle);
-  for (const vectors::RawTexture& t : frame.textures) EXPECT_EQ(t.base % (1 << (t.log2_width + t.log2_height)), 0);
+  const model::TextureFrame frame = model::loaded_textures(in_middle.textures, middle);
+  for (const model::RawTexture& t : frame.textures) EXPECT_EQ(t.base % (1 << (t.log2_width + t.log2_height)), 0);
   std::vector<int> seen(4096 + 512 + 16);
-  for (const vectors::RawTexel& texel : frame.texels) ++seen.at(std::size_t(texel.address));
+  for (const model::RawTexel& texel : frame.texels) ++seen.at(std::size_t(texel.address));
   EXPECT_EQ(seen, std::vector<int>(seen.size(), 1));
   scene.textures.assign(17, texture("small", 4, 4));
-  EXPECT_THROW(vectors::fit_textures(scene, low), ref::Error);
+  EXPECT_THROW(model::fit_textures(scene, low), ref::Error);
 }
 
 TEST(Coordinates, AreQuantized) {
   const Config config = TexturedMiddle::config();
   const int full = (1 << 24) - 1;
-  const auto words = vectors::quantized_coordinates({{{5, -2}, {6.5, -2}, {5, 0}}}, {1, 2, 1e9}, config, "here");
+  const auto words = model::quantized_coordinates({{{5, -2}, {6.5, -2}, {5, 0}}}, {1, 2, 1e9}, config, "here");
   EXPECT_EQ(words.repeats, 1);
   EXPECT_EQ(words.q, (std::array<int, 3>{full, 1 << 23, 1}));
   EXPECT_EQ(words.s, (std::array<int, 3>{0, 3 << 21, 0}));
   EXPECT_EQ(words.t, (std::array<int, 3>{0, 0, 1}));
   const auto affine =
-      vectors::quantized_coordinates({{{0, 0}, {0.5, 1}, {1, 0.25}}}, {1, 2, 3}, TexturedLow::config(), "here");
+      model::quantized_coordinates({{{0, 0}, {0.5, 1}, {1, 0.25}}}, {1, 2, 3}, TexturedLow::config(), "here");
   EXPECT_EQ(affine.repeats, 0);
   EXPECT_EQ(affine.s, (std::array<int, 3>{0, 1 << 15, (1 << 16) - 1}));
   EXPECT_EQ(affine.q, (std::array<int, 3>{0, 0, 0}));
-  EXPECT_EQ(vectors::quantized_coordinates({{{0, 0}, {32768, 1}, {0, 0}}}, {1, 1, 1}, config, "here").repeats, 15);
+  EXPECT_EQ(model::quantized_coordinates({{{0, 0}, {32768, 1}, {0, 0}}}, {1, 1, 1}, config, "here").repeats, 15);
   try {
-    vectors::quantized_coordinates({{{0, 0}, {32769, 1}, {0, 0}}}, {1, 1, 1}, config, "scene: triangle 7");
+    model::quantized_coordinates({{{0, 0}, {32769, 1}, {0, 0}}}, {1, 1, 1}, config, "scene: triangle 7");
     ADD_FAILURE();
   } catch (const ref::Error& e) {
     EXPECT_NE(std::string(e.what()).find("scene: triangle 7 spans 32769 repetitions"), std::string::npos);

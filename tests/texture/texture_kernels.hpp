@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // The texture kernels on a frame that is drawn already: which triangle each pixel shows, and what it looks like without
 // texture.
-#ifndef HALFSPACE_TESTS_TEXTURE_KERNELS_HPP_
-#define HALFSPACE_TESTS_TEXTURE_KERNELS_HPP_
+#ifndef HALFSPACE_TESTS_TEXTURE_TEXTURE_KERNELS_HPP_
+#define HALFSPACE_TESTS_TEXTURE_TEXTURE_KERNELS_HPP_
 
 #include <array>
 #include <memory>
 #include <vector>
 
-#include "hls/texture_setup.hpp"
-#include "hls/triangle_setup.hpp"
-#include "ref/snap.hpp"
-#include "vectors/texture_records.hpp"
+#include "hls/texture/texture_setup.hpp"
+#include "hls/setup/triangle_setup.hpp"
+#include "ref/geometry/snap.hpp"
+#include "model/texture/texture_records.hpp"
 
 namespace halfspace::tests {
 
@@ -21,10 +21,10 @@ class TextureKernels {
   using Picture = std::vector<std::array<std::uint8_t, 4>>;  // 0 … 255, alpha 255
 
   // Loads the textures, and sets up the planes of all triangles that are not empty.
-  TextureKernels(const ref::SnappedList& list, const vectors::TextureFrame& frame)
+  TextureKernels(const ref::SnappedList& list, const model::TextureFrame& frame)
       : width_(list.width), height_(list.height) {
-    vectors::load_textures<F>(frame, *table_);
-    vectors::load_texels<F>(frame, *memory_);
+    model::load_textures<F>(frame, *table_);
+    model::load_texels<F>(frame, *memory_);
     Frame<F> registers{};
     registers.width = from_raw<typename F::X>(list.width);
     registers.height = from_raw<typename F::Y>(list.height);
@@ -41,7 +41,7 @@ class TextureKernels {
       const Attributes<F> shape = attributes_.read();
       if (raw(shape.empty)) continue;
       attributes_.write(shape);
-      coordinates_.write(vectors::coordinates_record<F>(frame.triangles[k], int(k) + 1, false));
+      coordinates_.write(model::coordinates_record<F>(frame.triangles[k], int(k) + 1, false));
       texture_setup(attributes_, coordinates_, planes_);
       store_texture_planes(planes_, *database_);
     }
@@ -105,4 +105,4 @@ class TextureKernels {
 
 }  // namespace halfspace::tests
 
-#endif  // HALFSPACE_TESTS_TEXTURE_KERNELS_HPP_
+#endif  // HALFSPACE_TESTS_TEXTURE_TEXTURE_KERNELS_HPP_

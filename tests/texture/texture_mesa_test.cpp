@@ -7,10 +7,10 @@
 #include <cstdio>
 #include <random>
 
-#include "tests/mesa.hpp"
-#include "tests/texture_exact.hpp"
-#include "tests/textured_configs.hpp"
-#include "vectors/engine_impl.hpp"
+#include "tests/raster/mesa.hpp"
+#include "tests/texture/texture_exact.hpp"
+#include "tests/texture/textured_configs.hpp"
+#include "model/pipeline/engine_impl.hpp"
 
 namespace halfspace::tests {
 namespace {
@@ -100,14 +100,14 @@ Comparison compare(bool coloured) {
   const ref::Texture texture = picture(smooth);
   Mesa mesa(kSize, kSize);
   mesa.texture(texture, filter);
-  vectors::KernelEngine<F> engine;
+  model::KernelEngine<F> engine;
   std::mt19937_64 random(42);
   ref::SnappedList scene;
-  scene.format = vectors::raster_format(vectors::Configuration(config.name, config));
+  scene.format = model::raster_format(model::Configuration(config.name, config));
   scene.width = scene.height = kSize;
   scene.background = {0, 0, 0};
   scene.triangles.resize(1);
-  vectors::TextureFrame frame = vectors::loaded_textures({texture}, config);
+  model::TextureFrame frame = model::loaded_textures({texture}, config);
   frame.triangles.resize(1);
   Comparison result;
   for (int n = 0; n < kTriangles; ++n) {
@@ -127,7 +127,7 @@ Comparison compare(bool coloured) {
     const std::vector<std::uint32_t>& by_mesa = mesa.draw(arrays);
 
     scene.triangles[0] = c.triangle;
-    frame.triangles[0] = vectors::quantized_coordinates(c.uv, c.w, config, "a triangle");
+    frame.triangles[0] = model::quantized_coordinates(c.uv, c.w, config, "a triangle");
     frame.triangles[0].texture = 1;
     engine.texture(frame);
     const ref::Frame drawn = engine.render(scene);

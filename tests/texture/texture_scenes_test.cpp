@@ -7,18 +7,18 @@
 #include <cstdio>
 #include <random>
 
-#include "ref/architecture.hpp"
+#include "ref/raster/architecture.hpp"
 #include "ref/error.hpp"
-#include "ref/surface.hpp"
-#include "tests/texture_exact.hpp"
-#include "tests/texture_kernels.hpp"
-#include "tests/textured_configs.hpp"
-#include "vectors/configuration.hpp"
+#include "ref/geometry/surface.hpp"
+#include "tests/texture/texture_exact.hpp"
+#include "tests/texture/texture_kernels.hpp"
+#include "tests/texture/textured_configs.hpp"
+#include "model/formats/configuration.hpp"
 
 namespace halfspace::tests {
 namespace {
 
-vectors::Configuration configuration_of(const Config& config) { return vectors::Configuration(config.name, config); }
+model::Configuration configuration_of(const Config& config) { return model::Configuration(config.name, config); }
 
 // Waves, or noise.
 ref::Texture made_texture(const std::string& name, int width, int height, bool noise) {
@@ -87,11 +87,11 @@ template <class C>
 void compare(const std::string& name, ref::Scene scene, int width, int height, Result& total) {
   using F = Formats<C, Stamp4>;
   const Config config = C::config();
-  vectors::fit_textures(scene, config);
-  const ref::RasterFormat format = vectors::raster_format(configuration_of(config));
+  model::fit_textures(scene, config);
+  const ref::RasterFormat format = model::raster_format(configuration_of(config));
   ref::Geometry geometry(scene, {width, height, config.range_bits, config.subpixel_bits});
   const ref::SnappedList list = ref::snap(geometry.positions(), format);
-  const vectors::TextureFrame frame = vectors::texture_frame(geometry, config);
+  const model::TextureFrame frame = model::texture_frame(geometry, config);
   const auto lit_surface = ref::lit_surface(geometry, list, mode_of(config));
   const ref::Drawing lit = ref::draw(list, *lit_surface, ref::Architecture::kDelta);
   const ref::TextureMode mode{

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Textures of the reference: where a texel is, how it is filtered, and perspective against rays through the pixels.
-#include "ref/texture.hpp"
+#include "ref/scene/texture.hpp"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
-#include "ref/architecture.hpp"
+#include "ref/raster/architecture.hpp"
 #include "ref/error.hpp"
-#include "vectors/engine.hpp"
+#include "model/pipeline/engine.hpp"
 
 namespace {
 
@@ -70,7 +70,7 @@ TEST(Texture, IsInPerspective) {
   camera.far = 100;
   scene.camera = camera;
   const int size = 128;
-  ref::RasterFormat format = vectors::raster_format("high");
+  ref::RasterFormat format = model::raster_format("high");
   ref::Geometry geometry(scene, {size, size, format.range_bits, format.subpixel_bits});
   const ref::SnappedList list = ref::snap(geometry.positions(), format);
   std::map<ref::TextureMapping, int> wrong;
@@ -101,7 +101,7 @@ TEST(Texture, IsInPerspective) {
 
 // Fetched for each fragment that passes by alpha, for each pixel seen by the others, and the same picture.
 TEST(Texture, IsFetchedAtScanOut) {
-  const ref::RasterFormat format = vectors::raster_format("high");
+  const ref::RasterFormat format = model::raster_format("high");
   for (const char* file : {"/glTF2/BoxTextured-glTF-Binary/BoxTextured.glb", "/Collada/duck.dae"}) {
     SCOPED_TRACE(file);
     const ref::Scene scene = ref::load_scene(std::string(HALFSPACE_TESTMODELS) + file, 0, true);

@@ -4,11 +4,11 @@
 
 #include <memory>
 
-#include "hls/shade_texture.hpp"
-#include "hls/texture_setup.hpp"
+#include "hls/texture/shade_texture.hpp"
+#include "hls/texture/texture_setup.hpp"
 #include "hls/top/fields.hpp"
 #include "vectors/standard_set.hpp"
-#include "vectors/texture_records.hpp"
+#include "model/texture/texture_records.hpp"
 
 using TopTextureDatabase = halfspace::TextureDatabase<halfspace::TopFormats>;
 using TopTextureTable = halfspace::TextureTable<halfspace::TopFormats>;
@@ -32,15 +32,15 @@ std::vector<std::int64_t> fields_of(const Record& record, int count) {
 }
 
 TEST(TextureTops, GiveTheWordsOfTheKernels) {
-  const vectors::Configuration configuration(F::config().name, F::config());
+  const model::Configuration configuration(F::config().name, F::config());
   const auto database = std::make_unique<TopTextureDatabase>();
   const auto table = std::make_unique<TopTextureTable>();
   const auto memory = std::make_unique<TopTextureMemory>();
   std::size_t planes = 0, pixels = 0, textured = 0;
-  for (const vectors::NamedFrame& frame : vectors::random_frames(vectors::raster_format(configuration), 5, 4, 60)) {
-    const vectors::TextureFrame texture = vectors::awkward_coordinates(frame.scene.triangles.size(), F::config(), 5);
-    vectors::load_textures<F>(texture, *table);
-    vectors::load_texels<F>(texture, *memory);
+  for (const model::NamedFrame& frame : model::random_frames(model::raster_format(configuration), 5, 4, 60)) {
+    const model::TextureFrame texture = model::awkward_coordinates(frame.scene.triangles.size(), F::config(), 5);
+    model::load_textures<F>(texture, *table);
+    model::load_texels<F>(texture, *memory);
     Frame<F> registers{};
     registers.width = from_raw<F::X>(frame.scene.width);
     registers.height = from_raw<F::Y>(frame.scene.height);
@@ -61,7 +61,7 @@ TEST(TextureTops, GiveTheWordsOfTheKernels) {
       setup.read();
       const Attributes<F> in = attributes.read();
       if (raw(in.empty)) continue;
-      const TextureCoordinates<F> given = vectors::coordinates_record<F>(texture.triangles[k], int(k) + 1, false);
+      const TextureCoordinates<F> given = model::coordinates_record<F>(texture.triangles[k], int(k) + 1, false);
       std::vector<std::int64_t> got(std::size_t(kTexturePlanesFields) + 1, -1);
       texture_setup_top(fields_of(in, kAttributesFields).data(), fields_of(given, kTextureCoordinatesFields).data(),
                         got.data());

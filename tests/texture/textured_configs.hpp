@@ -3,7 +3,7 @@
 #ifndef HALFSPACE_TESTS_TEXTURED_CONFIGS_HPP_
 #define HALFSPACE_TESTS_TEXTURED_CONFIGS_HPP_
 
-#include "hls/config.hpp"
+#include "hls/formats/config.hpp"
 
 namespace halfspace {
 

@@ -12,8 +12,8 @@
 
 #include "ref/error.hpp"
 #include "vectors/dump.hpp"
-#include "vectors/engine.hpp"
-#include "vectors/package.hpp"
+#include "model/pipeline/engine.hpp"
+#include "model/pipeline/package.hpp"
 #include "vectors/standard_set.hpp"
 
 namespace halfspace::tests {
@@ -33,17 +33,17 @@ class VectorSet : public testing::TestWithParam<const char*> {
   void SetUp() override { fs::create_directories(folder_); }
   void TearDown() override { fs::remove_all(folder_); }
   std::string write(const std::string& name, std::uint64_t seed) {
-    const ref::RasterFormat format = vectors::raster_format(GetParam());
-    std::vector<vectors::NamedFrame> frames = vectors::corner_frames(format);
-    for (auto& frame : vectors::random_frames(format, seed, 4, 60)) frames.push_back(std::move(frame));
-    return vectors::write_vector_set((folder_ / name).string(), {"standard", vectors::find_configuration(GetParam()), 4, seed}, frames, nullptr);
+    const ref::RasterFormat format = model::raster_format(GetParam());
+    std::vector<model::NamedFrame> frames = model::corner_frames(format);
+    for (auto& frame : model::random_frames(format, seed, 4, 60)) frames.push_back(std::move(frame));
+    return model::write_vector_set((folder_ / name).string(), {"standard", model::find_configuration(GetParam()), 4, seed}, frames, nullptr);
   }
   fs::path folder_ = fs::temp_directory_path() / ("halfspace_vector_set_test_" + std::to_string(getpid()));
 };
 
 TEST_P(VectorSet, PackageIsTheCommittedOne) {
   const fs::path file = fs::path(HALFSPACE_SOURCE) / "rtl" / GetParam() / "hs_formats_pkg.sv";
-  EXPECT_EQ(text_of(file), vectors::formats_package(vectors::find_configuration(GetParam())))
+  EXPECT_EQ(text_of(file), model::formats_package(model::find_configuration(GetParam())))
       << file << " has drifted: run `halfspace package --config " << GetParam() << " -o " << file.string() << "`";
 }
 
@@ -80,7 +80,7 @@ TEST_P(VectorSet, ManifestDescribesTheFiles) {
 TEST_P(VectorSet, ComparisonSeesASingleDigit) {
   write("a", 1);
   write("b", 1);
-  for (const vectors::Difference& d : vectors::compare_folders((folder_ / "a").string(), (folder_ / "b").string())) {
+  for (const model::Difference& d : model::compare_folders((folder_ / "a").string(), (folder_ / "b").string())) {
     EXPECT_EQ(d.different, 0u) << d.part;
     EXPECT_GT(d.values, 0u) << d.part;
   }
@@ -88,7 +88,7 @@ TEST_P(VectorSet, ComparisonSeesASingleDigit) {
   const std::size_t last = text.size() - 2;
   text[last] = text[last] == '0' ? '1' : '0';
   std::ofstream(folder_ / "b" / "stamp.hex") << text;
-  for (const vectors::Difference& d : vectors::compare_folders((folder_ / "a").string(), (folder_ / "b").string())) {
+  for (const model::Difference& d : model::compare_folders((folder_ / "a").string(), (folder_ / "b").string())) {
     EXPECT_EQ(d.different, d.part == "stamp" ? 1u : 0u) << d.part;
     if (d.part == "stamp") {
       EXPECT_NE(d.first.find("word " + std::to_string(d.values - 1)), std::string::npos) << d.first;
@@ -97,12 +97,12 @@ TEST_P(VectorSet, ComparisonSeesASingleDigit) {
 }
 
 TEST_P(VectorSet, PicturesOfAllLanesComeFromOneScene) {
-  EXPECT_THROW(vectors::make_engine(GetParam(), 3), ref::Error);
+  EXPECT_THROW(model::make_engine(GetParam(), 3), ref::Error);
   for (const int lanes : {1, 2, 4, 8, 16}) {
-    const auto engine = vectors::make_engine(GetParam(), lanes);
+    const auto engine = model::make_engine(GetParam(), lanes);
     EXPECT_EQ(engine->lanes_x() * engine->lanes_y(), lanes);
-    for (const vectors::Layout& layout : engine->layouts()) {
-      EXPECT_LE(layout.bits, vectors::kMaxWordBits) << layout.stream << " of " << lanes << " lanes";
+    for (const model::Layout& layout : engine->layouts()) {
+      EXPECT_LE(layout.bits, model::kMaxWordBits) << layout.stream << " of " << lanes << " lanes";
     }
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The four architectures draw one picture, and deferring the lighting or using an index twice changes none of it.
-#include "ref/architecture.hpp"
+#include "ref/raster/architecture.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <set>
 
 #include "ref/error.hpp"
-#include "ref/raster.hpp"
-#include "vectors/engine.hpp"
+#include "ref/raster/raster.hpp"
+#include "model/pipeline/engine.hpp"
 
 namespace {
 
@@ -42,7 +42,7 @@ const std::vector<Frame>& frames() {
 class Architectures : public ::testing::TestWithParam<Frame> {
  protected:
   void SetUp() override {
-    format_ = vectors::raster_format("high");
+    format_ = model::raster_format("high");
     scene_ = ref::load_scene(GetParam().scene);
     view_ = {GetParam().width, GetParam().height, format_.range_bits, format_.subpixel_bits};
   }
@@ -148,7 +148,7 @@ TEST(IndexReuse, DrawsMoreTrianglesThanThereAreIndices) {
     list.triangles.push_back({{{place(random), place(random), z, 0, 250, 0}, {place(random), place(random), z, 0, 250, 0},
                                {place(random), place(random), z, 0, 250, 0}}});
   }
-  const ref::SnappedList snapped = ref::snap(list, vectors::raster_format("middle"));
+  const ref::SnappedList snapped = ref::snap(list, model::raster_format("middle"));
   const auto surface = ref::given_surface(snapped);
   const ref::Frame expected = ref::render(snapped);
   const ref::Drawing drawing = ref::draw(snapped, *surface, Architecture::kGamma, true, {4, 15});

@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
-// Type γ draws what type δ draws, in every pixel: index, depth, colour and the visible triangles. hls/ztest_plane.hpp has the
+// Type γ draws what type δ draws, in every pixel: index, depth, colour and the visible triangles. hls/ztest/ztest_plane.hpp has the
 // reason. Both with formats read at run time, so that nothing but the architecture differs.
 #include <gtest/gtest.h>
 
 #include <random>
 
 #include "ref/error.hpp"
-#include "ref/geometry.hpp"
-#include "ref/scene.hpp"
-#include "vectors/cycles.hpp"
-#include "vectors/engine.hpp"
+#include "ref/geometry/geometry.hpp"
+#include "ref/scene/scene.hpp"
+#include "model/pipeline/cycles.hpp"
+#include "model/pipeline/engine.hpp"
 #include "vectors/extremes.hpp"
-#include "vectors/field_value.hpp"
-#include "vectors/fit.hpp"
+#include "model/formats/field_value.hpp"
+#include "study/fit/fit.hpp"
 #include "vectors/standard_set.hpp"
 
 namespace halfspace::tests {
 namespace {
 
-using vectors::Configuration;
-using vectors::NamedFrame;
+using model::Configuration;
+using model::NamedFrame;
 
 // A configuration in both types.
 class Both {
@@ -27,10 +27,10 @@ class Both {
   Both(const Config& numbers, int lanes) {
     Config config = numbers;
     config.architecture = Architecture::kDelta;
-    delta_ = vectors::make_runtime_engine(config, format_table(config), lanes);
+    delta_ = model::make_runtime_engine(config, format_table(config), lanes);
     config.architecture = Architecture::kGamma;
     EXPECT_EQ(refusal(config), Refusal::kNone);
-    gamma_ = vectors::make_runtime_engine(config, format_table(config), lanes);
+    gamma_ = model::make_runtime_engine(config, format_table(config), lanes);
   }
 
   // Returns how many pixels show a triangle.
@@ -46,14 +46,14 @@ class Both {
   }
 
  private:
-  std::unique_ptr<vectors::Engine> delta_, gamma_;
+  std::unique_ptr<model::Engine> delta_, gamma_;
 };
 
-Config config_of(const std::string& name) { return vectors::find_configuration(name).config(); }
+Config config_of(const std::string& name) { return model::find_configuration(name).config(); }
 
 TEST(Gamma, IsDeltaOnEveryBuiltInScene) {
   for (const auto& [config, width, height] : {std::tuple("low", 160, 120), {"low", 320, 200}, {"middle", 320, 240}}) {
-    const ref::RasterFormat format = vectors::raster_format(config);
+    const ref::RasterFormat format = model::raster_format(config);
     Both both(config_of(config), 4);
     for (const std::string& scene : ref::builtin_scene_names()) {
       SCOPED_TRACE(scene + " " + config);
@@ -66,10 +66,10 @@ TEST(Gamma, IsDeltaOnEveryBuiltInScene) {
 
 TEST(Gamma, IsDeltaOnStandardFramesAndExtremes) {
   for (const std::string name : {"low", "middle", "high"}) {
-    const ref::RasterFormat format = vectors::raster_format(name);
-    std::vector<NamedFrame> frames = vectors::corner_frames(format);
-    for (NamedFrame& frame : vectors::random_frames(format, 21, 10, 80)) frames.push_back(std::move(frame));
-    for (NamedFrame& frame : vectors::extreme_frames(format)) frames.push_back(std::move(frame));
+    const ref::RasterFormat format = model::raster_format(name);
+    std::vector<NamedFrame> frames = model::corner_frames(format);
+    for (NamedFrame& frame : model::random_frames(format, 21, 10, 80)) frames.push_back(std::move(frame));
+    for (NamedFrame& frame : model::extreme_frames(format)) frames.push_back(std::move(frame));
     std::size_t shown = 0;
     for (const int lanes : {1, 4, 16}) {
       Both both(config_of(name), lanes);
@@ -93,9 +93,9 @@ TEST(Gamma, IsDeltaWhateverTheNumbers) {
     if (refusal(numbers) != Refusal::kNone) continue;
     ++accepted;
     const Configuration configuration("random", numbers);
-    SCOPED_TRACE(vectors::configuration_toml(configuration));
+    SCOPED_TRACE(model::configuration_toml(configuration));
     Both both(numbers, numbers.lanes);
-    for (const NamedFrame& frame : vectors::random_frames(vectors::raster_format(configuration), n, 2, 60)) {
+    for (const NamedFrame& frame : model::random_frames(model::raster_format(configuration), n, 2, 60)) {
       both.expect_equal(frame.scene);
     }
   }
@@ -103,7 +103,7 @@ TEST(Gamma, IsDeltaWhateverTheNumbers) {
 }
 
 ref::SnappedList teapot() {
-  const ref::RasterFormat format = vectors::raster_format("low");
+  const ref::RasterFormat format = model::raster_format("low");
   return ref::snap(ref::project(ref::load_scene("teapot"), {320, 200, format.range_bits, format.subpixel_bits}), format);
 }
 
@@ -112,18 +112,18 @@ ref::SnappedList teapot() {
 TEST(Gamma, NarrowerPlanesHaveOtherDepths) {
   Config config = config_of("low");
   config.architecture = Architecture::kGamma;
-  const auto engine = vectors::make_runtime_engine(config, format_table(config), 1);
+  const auto engine = model::make_runtime_engine(config, format_table(config), 1);
   struct Plane {
     std::int64_t depth, dx, dy, x, y;
   };
   std::vector<Plane> planes(config.triangles + 1);
   const ref::SnappedList scene = teapot();
-  engine->capture(scene, [&](const vectors::Layout& layout, const vectors::Word* words, std::size_t count) {
+  engine->capture(scene, [&](const model::Layout& layout, const model::Word* words, std::size_t count) {
     if (layout.stream != "triangle_depth") return;
     ASSERT_EQ(layout.fields.size(), 6u);
     ASSERT_EQ(count, scene.triangles.size());
     for (std::size_t n = 0; n < count; ++n) {
-      const auto value = [&](int field) { return vectors::field_value(words[n], layout.fields[std::size_t(field)]); };
+      const auto value = [&](int field) { return model::field_value(words[n], layout.fields[std::size_t(field)]); };
       planes[std::size_t(value(0))] = {value(3), value(4), value(5), value(1), value(2)};
     }
   });
@@ -152,7 +152,7 @@ TEST(Gamma, NarrowerPlanesHaveOtherDepths) {
 TEST(Gamma, TestsCostACycleForEachStoredTriangle) {
   Config config = config_of("low");
   config.architecture = Architecture::kGamma;
-  const auto engine = vectors::make_runtime_engine(config, format_table(config), 4);
+  const auto engine = model::make_runtime_engine(config, format_table(config), 4);
   const int one = 1 << config.subpixel_bits;
   const auto whole = [&](std::uint32_t depth) {
     ref::SnappedTriangle t{};
@@ -160,7 +160,7 @@ TEST(Gamma, TestsCostACycleForEachStoredTriangle) {
     t.depth = {depth, depth, depth};
     return t;
   };
-  const ref::SnappedList scene{vectors::raster_format("low"), 2, 2, {0, 0, 0},
+  const ref::SnappedList scene{model::raster_format("low"), 2, 2, {0, 0, 0},
                              {whole(100), whole(60000), ref::SnappedTriangle{}}};
   const std::vector<PlaneTests> tests = engine->plane_tests(scene);
   ASSERT_EQ(tests.size(), 3u);
@@ -170,21 +170,21 @@ TEST(Gamma, TestsCostACycleForEachStoredTriangle) {
   EXPECT_EQ(tests[1].entries, 1);
   EXPECT_EQ(tests[2].entries, 0);
   const ref::Frame frame = engine->render(scene);
-  const vectors::Accesses accesses = vectors::count_accesses(config, *engine, scene);
-  EXPECT_EQ(vectors::entry_bits(config).visibility, 3 * (16 + 13));
+  const model::Accesses accesses = model::count_accesses(config, *engine, scene);
+  EXPECT_EQ(model::entry_bits(config).visibility, 3 * (16 + 13));
   for (const ref::BufferUses& uses : {accesses.needed, accesses.words}) {
     EXPECT_EQ(uses.visibility.read, 1u);
     EXPECT_EQ(uses.visibility.written, 1u);  // of the visible one alone
     EXPECT_EQ(uses.depth.read + uses.depth.written, 0u);
   }
-  EXPECT_EQ(vectors::model_cycles(config, *engine, scene, frame).test, 6u);
+  EXPECT_EQ(model::model_cycles(config, *engine, scene, frame).test, 6u);
 }
 
 TEST(Gamma, HasTdbvInThePlaceOfTheZBuffer) {
   Config config = config_of("low");
-  const vectors::MemoryBits delta = vectors::memory_bits(config);
+  const model::MemoryBits delta = model::memory_bits(config);
   config.architecture = Architecture::kGamma;
-  const vectors::MemoryBits gamma = vectors::memory_bits(config);
+  const model::MemoryBits gamma = model::memory_bits(config);
   EXPECT_EQ(delta.depth, 320u * 200 * 16);
   EXPECT_EQ(delta.visibility, 0u);
   EXPECT_EQ(gamma.depth, 0u);
@@ -207,11 +207,11 @@ TEST(Gamma, IsRefusedWithoutDepthAndWithoutAWord) {
   EXPECT_EQ(refusal_of(wide), "accepted");
   wide.architecture = Architecture::kGamma;
   EXPECT_NE(refusal_of(wide).find("lower depth_fraction"), std::string::npos) << refusal_of(wide);
-  const std::string toml = vectors::configuration_toml(vectors::find_configuration("low"));
+  const std::string toml = model::configuration_toml(model::find_configuration("low"));
   const std::size_t line = toml.find("architecture = ");
-  EXPECT_EQ(vectors::parse_configuration(toml.substr(0, line), "x.toml").config().architecture, Architecture::kDelta);
+  EXPECT_EQ(model::parse_configuration(toml.substr(0, line), "x.toml").config().architecture, Architecture::kDelta);
   try {
-    vectors::parse_configuration(toml.substr(0, line) + "architecture = \"beta\"\n", "x.toml");
+    model::parse_configuration(toml.substr(0, line) + "architecture = \"beta\"\n", "x.toml");
     ADD_FAILURE() << "accepted";
   } catch (const ref::Error& e) {
     EXPECT_NE(std::string(e.what()).find("x.toml:14: architecture is \"delta\" or \"gamma\""), std::string::npos) << e.what();

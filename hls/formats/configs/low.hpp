@@ -4,7 +4,7 @@
 #ifndef HALFSPACE_CONFIGS_LOW_HPP_
 #define HALFSPACE_CONFIGS_LOW_HPP_
 
-#include "../config.hpp"
+#include "hls/formats/config.hpp"
 
 namespace halfspace {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Number formats of configuration `high`. Printed by `halfspace package --config high` from hls/formats.hpp
-// and hls/records.hpp: change those, not this file.
+// Number formats of configuration `high`. Printed by `halfspace package --config high` from hls/formats/formats.hpp
+// and hls/formats/records.hpp: change those, not this file.
 package hs_formats_pkg;
 
   localparam int unsigned HasDepth = 1;

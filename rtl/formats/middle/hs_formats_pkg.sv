@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Number formats of configuration `middle`. Printed by `halfspace package --config middle` from hls/formats.hpp
-// and hls/records.hpp: change those, not this file.
+// Number formats of configuration `middle`. Printed by `halfspace package --config middle` from hls/formats/formats.hpp
+// and hls/formats/records.hpp: change those, not this file.
 package hs_formats_pkg;
 
   localparam int unsigned HasDepth = 1;

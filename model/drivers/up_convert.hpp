@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frame-rate up-conversion by the kernels: what ref/up_convert.hpp is by the reference.
-#ifndef HALFSPACE_VECTORS_UP_CONVERT_HPP_
-#define HALFSPACE_VECTORS_UP_CONVERT_HPP_
+// Frame-rate up-conversion by the kernels: what ref/motion/up_convert.hpp is by the reference.
+#ifndef HALFSPACE_MODEL_DRIVERS_UP_CONVERT_HPP_
+#define HALFSPACE_MODEL_DRIVERS_UP_CONVERT_HPP_
 
 #include <array>
 #include <memory>
 #include <optional>
 
-#include "ref/up_convert.hpp"
-#include "vectors/compensation.hpp"
-#include "vectors/configuration.hpp"
-#include "vectors/engine.hpp"
-#include "vectors/static_buffer.hpp"
+#include "ref/motion/up_convert.hpp"
+#include "model/motion/compensation.hpp"
+#include "model/formats/configuration.hpp"
+#include "model/pipeline/engine.hpp"
+#include "model/drivers/static_buffer.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 // Numbers of motion that cost hardly any quality: docs/frames.md shows what fewer bits cost.
 Config default_motion(const Config& colour);
@@ -91,6 +91,6 @@ class KernelUpConverter {
   ref::SnappedList list_;  // what the field was last drawn of
 };
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_UP_CONVERT_HPP_
+#endif  // HALFSPACE_MODEL_DRIVERS_UP_CONVERT_HPP_

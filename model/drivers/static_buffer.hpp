@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // The S-buffer of frames between key frames: what stands still in them, drawn once. docs/frames.md says what it is for.
-#ifndef HALFSPACE_VECTORS_STATIC_BUFFER_HPP_
-#define HALFSPACE_VECTORS_STATIC_BUFFER_HPP_
+#ifndef HALFSPACE_MODEL_DRIVERS_STATIC_BUFFER_HPP_
+#define HALFSPACE_MODEL_DRIVERS_STATIC_BUFFER_HPP_
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
-#include "ref/object_buffer.hpp"
-#include "ref/projection.hpp"
-#include "ref/scene.hpp"
-#include "vectors/configuration.hpp"
-#include "vectors/engine.hpp"
+#include "ref/objects/object_buffer.hpp"
+#include "ref/geometry/projection.hpp"
+#include "ref/scene/scene.hpp"
+#include "model/formats/configuration.hpp"
+#include "model/pipeline/engine.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 // Instance n is object n + 1, in the order in which the renderer draws.
 class StaticBuffer {
@@ -42,6 +42,6 @@ class StaticBuffer {
   std::optional<ref::ObjectBuffer> pixels_;
 };
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_STATIC_BUFFER_HPP_
+#endif  // HALFSPACE_MODEL_DRIVERS_STATIC_BUFFER_HPP_

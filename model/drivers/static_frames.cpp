@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/static_frames.hpp"
+#include "model/drivers/static_frames.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <utility>
 
-#include "ref/object_raster.hpp"
-#include "vectors/frame_lighting.hpp"
-#include "vectors/texture.hpp"
+#include "ref/objects/object_raster.hpp"
+#include "model/shade/frame_lighting.hpp"
+#include "model/texture/texture.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 namespace {
 
 using ref::Box;
@@ -266,4 +266,4 @@ void StaticFrames::show() {
   if (!sent) picture_ = behind_ ? run("frame", input(*behind_, nullptr, frame_)).merged : draw_pass(frame);
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

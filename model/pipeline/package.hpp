@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // The SystemVerilog package of a configuration, printed from the format table and the records.
-#ifndef HALFSPACE_VECTORS_PACKAGE_HPP_
-#define HALFSPACE_VECTORS_PACKAGE_HPP_
+#ifndef HALFSPACE_MODEL_PIPELINE_PACKAGE_HPP_
+#define HALFSPACE_MODEL_PIPELINE_PACKAGE_HPP_
 
 #include <string>
 
-#include "vectors/configuration.hpp"
+#include "model/formats/configuration.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 // The text of rtl/<config>/hs_formats_pkg.sv.
 std::string formats_package(const Configuration&);
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_PACKAGE_HPP_
+#endif  // HALFSPACE_MODEL_PIPELINE_PACKAGE_HPP_

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// Static objects buffers by the kernels: what ref/static_objects.hpp is by the reference. hs_pipeline draws passes,
+// Static objects buffers by the kernels: what ref/objects/static_objects.hpp is by the reference. hs_pipeline draws passes,
 // ztest_merge puts them into S-buffers and frames, erases and asks; here is what a driver does. docs/static.md has the
 // rules.
-#ifndef HALFSPACE_VECTORS_STATIC_FRAMES_HPP_
-#define HALFSPACE_VECTORS_STATIC_FRAMES_HPP_
+#ifndef HALFSPACE_MODEL_DRIVERS_STATIC_FRAMES_HPP_
+#define HALFSPACE_MODEL_DRIVERS_STATIC_FRAMES_HPP_
 
 #include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include "ref/geometry.hpp"
-#include "ref/object_states.hpp"
-#include "vectors/engine.hpp"
-#include "vectors/merge.hpp"
-#include "vectors/vector_set.hpp"
+#include "ref/geometry/geometry.hpp"
+#include "ref/objects/object_states.hpp"
+#include "model/pipeline/engine.hpp"
+#include "model/objects/merge.hpp"
+#include "model/pipeline/named_frame.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 struct StaticFramesOptions {
   Configuration configuration;  // with objects
@@ -102,6 +102,6 @@ class StaticFrames {
   const StaticFramesSink* sink_ = nullptr;
 };
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_STATIC_FRAMES_HPP_
+#endif  // HALFSPACE_MODEL_DRIVERS_STATIC_FRAMES_HPP_

@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "vectors/vector_set.hpp"
+#include "model/pipeline/named_frame.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 struct Point {
   int x, y;  // sub-pixels
@@ -90,6 +90,6 @@ inline void push_frame(std::vector<NamedFrame>& frames, const std::string& note,
   push_frame(frames, note, builder.list());
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model
 
 #endif  // HALFSPACE_VECTORS_FRAME_BUILDER_HPP_

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/package.hpp"
+#include "model/pipeline/package.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "hls/key_filter.hpp"
-#include "hls/reciprocal_lookup.hpp"
-#include "hls/reciprocal_sqrt.hpp"
-#include "hls/records.hpp"
-#include "vectors/compensation.hpp"
-#include "vectors/engine.hpp"
-#include "vectors/merge.hpp"
+#include "hls/motion/key_filter.hpp"
+#include "hls/texture/reciprocal_lookup.hpp"
+#include "hls/shade/reciprocal_sqrt.hpp"
+#include "hls/formats/records.hpp"
+#include "model/motion/compensation.hpp"
+#include "model/pipeline/engine.hpp"
+#include "model/objects/merge.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 namespace {
 
 std::string range(int width, bool is_signed) {
@@ -151,7 +151,7 @@ std::string entries_text(const char* name, const std::vector<std::uint64_t>& ent
   return text;
 }
 
-// The weights of an axis (hls/key_filter.hpp): of the pixel behind a place; bicubic, of those one further, behind and before it.
+// The weights of an axis (hls/motion/key_filter.hpp): of the pixel behind a place; bicubic, of those one further, behind and before it.
 std::string key_tables_text(const Config& c) {
   const bool is_bicubic = has_motion(c) && c.filter == KeyFilter::kBicubic, has_inner = has_motion(c) && c.filter != KeyFilter::kNearest;
   std::vector<std::uint64_t> inner, outer;
@@ -300,8 +300,8 @@ std::string formats_package(const Configuration& configuration) {
 
   std::string text = fmt::format(
       "// SPDX-License-Identifier: Apache-2.0\n"
-      "// Number formats of configuration `{0}`. Printed by `halfspace package --config {0}` from hls/formats.hpp\n"
-      "// and hls/records.hpp: change those, not this file.\n"
+      "// Number formats of configuration `{0}`. Printed by `halfspace package --config {0}` from hls/formats/formats.hpp\n"
+      "// and hls/formats/records.hpp: change those, not this file.\n"
       "package hs_formats_pkg;\n\n",
       configuration.name());
   text += constants_text(constants) + lighting_text(c, layouts) + texture_text(c, layouts) + motion_text(c, all) + object_text(c, all) + "\n";
@@ -318,4 +318,4 @@ std::string formats_package(const Configuration& configuration) {
   return text + "endpackage\n";
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/up_convert.hpp"
+#include "model/drivers/up_convert.hpp"
 
 #include <fmt/format.h>
 
@@ -8,12 +8,12 @@
 #include <utility>
 
 #include "ref/error.hpp"
-#include "ref/ideal.hpp"
-#include "ref/static_instances.hpp"
-#include "vectors/motion.hpp"
-#include "vectors/texture.hpp"
+#include "ref/raster/ideal.hpp"
+#include "ref/objects/static_instances.hpp"
+#include "model/motion/motion.hpp"
+#include "model/texture/texture.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 namespace {
 
 // Those that the place of a vertex, the coverage and the depth of a pixel follow from.
@@ -276,4 +276,4 @@ KernelFrameBetween KernelUpConverter::at(const ref::Scene& between, double a) {
   return out;
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

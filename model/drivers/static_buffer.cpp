@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/static_buffer.hpp"
+#include "model/drivers/static_buffer.hpp"
 
-#include "ref/geometry.hpp"
-#include "ref/static_instances.hpp"
-#include "vectors/texture.hpp"
+#include "ref/geometry/geometry.hpp"
+#include "ref/objects/static_instances.hpp"
+#include "model/texture/texture.hpp"
 
-namespace halfspace::vectors {
+namespace halfspace::model {
 
 bool StaticBuffer::shows(const ref::Scene& scene, const std::vector<bool>& instances, const ref::View& view) const {
   if (!scene_ || instances != shown_) return false;
@@ -45,4 +45,4 @@ std::size_t StaticBuffer::show(const ref::Scene& scene, const std::vector<bool>&
   return list.triangles.size();
 }
 
-}  // namespace halfspace::vectors
+}  // namespace halfspace::model

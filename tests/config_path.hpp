@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// The configurations of tests/configs by name, in whichever folder of it they are.
+#ifndef HALFSPACE_TESTS_CONFIG_PATH_HPP_
+#define HALFSPACE_TESTS_CONFIG_PATH_HPP_
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+
+namespace halfspace {
+
+// HALFSPACE_SOURCE is the folder of the sources.
+inline std::string config_path(const std::string& name) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(HALFSPACE_SOURCE "/tests/configs")) {
+    if (entry.path().filename() == name + ".toml") return entry.path().string();
+  }
+  throw std::runtime_error("tests/configs: there is no " + name + ".toml");
+}
+
+}  // namespace halfspace
+
+#endif  // HALFSPACE_TESTS_CONFIG_PATH_HPP_
