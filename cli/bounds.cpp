@@ -85,35 +85,37 @@ std::vector<std::string> cells(const BoundRow& row) {
 }
 
 void print_report(const Configuration& configuration, const BoundsReport& report, const Options& options) {
-  std::vector<std::vector<std::string>> rows = {{"kernel", "quantity", "unit", "proved", "seen", "share", "proof", "where"}};
+  std::vector<std::vector<std::string>> rows = {
+      {"kernel", "quantity", "unit", "proved", "seen", "share", "proof", "where"}};
   for (const BoundRow& row : report.rows) {
     if (row.present()) rows.push_back(cells(row));
   }
   print_table(rows, options.markdown);
   if (!report.classes.empty()) {
-    fmt::print("\nplanes at covered centres, before rounding: largest error in LSB, and its share of the bound there\n\n");
+    fmt::print(
+        "\nplanes at covered centres, before rounding: largest error in LSB, and its share of the bound there\n\n");
     rows = {{"class", "triangles", "pixels", "depth", "share", "colour", "share"}};
     auto error = [&](model::Quantity plane, const char* format, double value) {
       return report.rows[plane].present() ? fmt::format(fmt::runtime(format), value) : "–";
     };
     for (const auto& c : report.classes) {
-      rows.push_back({c.name, std::to_string(c.triangles), std::to_string(c.pixels),
-                      error(model::kDepthPlane, "{:.3g}", c.depth),
-                      error(model::kDepthPlane, "{:.1f} %", 100 * c.depth_share),
-                      error(model::kColourPlane, "{:.3g}", c.colour),
-                      error(model::kColourPlane, "{:.1f} %", 100 * c.colour_share)});
+      rows.push_back(
+          {c.name, std::to_string(c.triangles), std::to_string(c.pixels), error(model::kDepthPlane, "{:.3g}", c.depth),
+           error(model::kDepthPlane, "{:.1f} %", 100 * c.depth_share), error(model::kColourPlane, "{:.3g}", c.colour),
+           error(model::kColourPlane, "{:.1f} %", 100 * c.colour_share)});
     }
     print_table(rows, options.markdown);
   }
   if (!options.verbose) return;
   for (const BoundRow& row : report.rows) {
     if (!row.where.is_triangle) continue;
-    fmt::print("\n# {}, {}: {}\n{}", row.kernel, row.quantity, place(row.where), tri_text(configuration, row.where.triangle));
+    fmt::print("\n# {}, {}: {}\n{}", row.kernel, row.quantity, place(row.where),
+               tri_text(configuration, row.where.triangle));
   }
 }
 
 Json row_json(const Configuration& configuration, const BoundRow& row) {
-  Json json = {{"kernel", row.kernel}, {"quantity", row.quantity}, {"unit", row.unit}, {"exact", row.exact()},
+  Json json = {{"kernel", row.kernel}, {"quantity", row.quantity}, {"unit", row.unit},        {"exact", row.exact()},
                {"proved", row.proved}, {"proof", row.proof},       {"compared", row.compared}};
   if (row.compared == 0) return json;
   json["seen"] = row.seen;
@@ -130,7 +132,8 @@ int bounds(const Options& options) {
   const Configuration configuration = model::find_configuration(options.config);
   if (!options.gappa.empty()) {
     model::StagedFolder folder(options.gappa);
-    for (const auto& script : model::gappa_scripts(configuration.config())) folder.write(script.name + ".g", script.text);
+    for (const auto& script : model::gappa_scripts(configuration.config()))
+      folder.write(script.name + ".g", script.text);
     folder.commit();
   }
   Progress progress("bounds " + configuration.name());
@@ -164,12 +167,17 @@ void add_bounds(CLI::App& app, int& status) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("bounds", "proved and seen errors of every kernel of a configuration");
   command->footer(
-      "Errors are against exact arithmetic on the snapped triangle. `proof` names the script that proves the bound; write them\n"
-      "with --gappa and run each with `gappa DIR/NAME.g`: it says nothing when it has proved it. `share` is seen/proved on\n"
-      "the worst triangle of all; `where` is the class and number of that triangle, the same again for the same --seed.\n"
+      "Errors are against exact arithmetic on the snapped triangle. `proof` names the script that proves the bound; "
+      "write them\n"
+      "with --gappa and run each with `gappa DIR/NAME.g`: it says nothing when it has proved it. `share` is "
+      "seen/proved on\n"
+      "the worst triangle of all; `where` is the class and number of that triangle, the same again for the same "
+      "--seed.\n"
       "docs/bounds.md has the derivations.\n");
   command->add_option("--config", options->config, "low, middle, high or a .toml file")->capture_default_str();
-  command->add_option("--triangles", options->measure.triangles, "triangles measured of each class; 0: print what is proved")
+  command
+      ->add_option("--triangles", options->measure.triangles,
+                   "triangles measured of each class; 0: print what is proved")
       ->capture_default_str()
       ->check(CLI::Range(0, 10000000));
   command->add_option("--seed", options->measure.seed, "of the triangles")->capture_default_str();

@@ -7,10 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "ref/raster/architecture.hpp"
-#include "study/trade/accuracy.hpp"
 #include "model/formats/configuration.hpp"
 #include "model/pipeline/memories.hpp"
+#include "ref/raster/architecture.hpp"
+#include "study/trade/accuracy.hpp"
 
 namespace halfspace::cli {
 

@@ -25,7 +25,10 @@ int compare(const std::string& a, const std::string& b, const std::string& json_
     }
     values += d.values;
     different += d.different;
-    parts.push_back({{"part", d.part}, {"values", d.values}, {"different", d.different}, {"largest", d.largest},
+    parts.push_back({{"part", d.part},
+                     {"values", d.values},
+                     {"different", d.different},
+                     {"largest", d.largest},
                      {"first", d.first}});
   }
   if (values == 0) throw ref::Error(fmt::format("{} and {}: there is nothing in them to compare", a, b));

@@ -27,7 +27,8 @@ Json config_json(const Configuration& configuration) {
     for (const auto& field : *fields) {
       if (!field.is_used(c)) continue;
       const NumberFormat format = table.*field.format;
-      json["formats"][field.name] = {{"width", format.width}, {"integer", format.integer}, {"signed", format.is_signed}};
+      json["formats"][field.name] = {
+          {"width", format.width}, {"integer", format.integer}, {"signed", format.is_signed}};
     }
   }
   return json;
@@ -39,7 +40,8 @@ void print_table(const std::vector<Configuration>& configurations, bool markdown
     std::string line = markdown ? "| " + first : fmt::format("{:<22}", first);
     for (const std::string& cell : cells) line += markdown ? " | " + cell : fmt::format(" {:>12}", cell);
     std::string reason = why;
-    for (std::size_t at = 0; markdown && (at = reason.find('|', at)) != std::string::npos; at += 2) reason.insert(at, "\\");
+    for (std::size_t at = 0; markdown && (at = reason.find('|', at)) != std::string::npos; at += 2)
+      reason.insert(at, "\\");
     line += markdown ? " | " + reason + " |" : "  " + reason;
     fmt::print("{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
   };
@@ -61,7 +63,8 @@ void print_table(const std::vector<Configuration>& configurations, bool markdown
     row(name, cells, model::choice_field(name).what);
   };
   auto any = [&](bool (*is)(const Config&)) {
-    return std::any_of(configurations.begin(), configurations.end(), [&](const Configuration& c) { return is(c.config()); });
+    return std::any_of(configurations.begin(), configurations.end(),
+                       [&](const Configuration& c) { return is(c.config()); });
   };
   choice("shading");
   choice("architecture");
@@ -115,7 +118,8 @@ void add_config(CLI::App& app, int&) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("config", "show configurations and the widths that follow from them");
   command->footer(
-      "A configuration is a .toml file: `halfspace config middle --toml mine.toml` writes one to begin with. Every command\n"
+      "A configuration is a .toml file: `halfspace config middle --toml mine.toml` writes one to begin with. Every "
+      "command\n"
       "takes its path in the place of a name. A combination that cannot be built is refused with its reason.\n");
   command->add_option("CONFIG", options->configurations, "low, middle, high or .toml files")->capture_default_str();
   command->add_option("--header", options->header, "C++ header to write, for hls/formats/configs/");

@@ -9,11 +9,11 @@
 #include "cli/commands.hpp"
 #include "cli/common/numbers.hpp"
 #include "cli/common/sequence.hpp"
-#include "ref/error.hpp"
-#include "ref/objects/static_instances.hpp"
-#include "ref/geometry/viewpoint.hpp"
-#include "model/pipeline/cycles.hpp"
 #include "model/drivers/up_convert.hpp"
+#include "model/pipeline/cycles.hpp"
+#include "ref/error.hpp"
+#include "ref/geometry/viewpoint.hpp"
+#include "ref/objects/static_instances.hpp"
 
 namespace halfspace::cli {
 namespace {
@@ -26,20 +26,20 @@ struct Options {
 // What a frame takes, by the units that each way to make it has.
 struct Cost {
   const char* name;
-  bool made;                    // of key frames; else rendered
-  double cycles = 0;            // of the slowest unit
+  bool made;          // of key frames; else rendered
+  double cycles = 0;  // of the slowest unit
   const char* slowest = "";
-  double multiplications = 0;   // a covered pixel of the frame
-  double bytes = 0;             // likewise, to and from memory outside
-  std::size_t triangles = 0;    // handed to the pipeline
+  double multiplications = 0;        // a covered pixel of the frame
+  double bytes = 0;                  // likewise, to and from memory outside
+  std::size_t triangles = 0;         // handed to the pipeline
   std::size_t words = 0, tiles = 0;  // of motion, and of keys
 };
 
 // What the renderer's units would take for themselves, of a frame of which triangles and pixels are at hand.
 struct FrontEnd {
   model::Cycles cycles;
-  double pixels = 0;       // covered
-  double pixel_scan = 0;   // cycles of a unit that takes a covered pixel at a time, and one for a stamp of background
+  double pixels = 0;      // covered
+  double pixel_scan = 0;  // cycles of a unit that takes a covered pixel at a time, and one for a stamp of background
   std::size_t triangles = 0, stamps = 0;
 };
 
@@ -55,7 +55,8 @@ FrontEnd front_end(const model::Configuration& configuration, const ref::Triangl
       int covered = 0;
       for (int l = 0; l < lanes; ++l) {
         const int column = x + l % engine->lanes_x(), row = y + l / engine->lanes_x();
-        if (column < frame.width && row < frame.height) covered += frame.index[std::size_t(row) * frame.width + column] != 0;
+        if (column < frame.width && row < frame.height)
+          covered += frame.index[std::size_t(row) * frame.width + column] != 0;
       }
       out.pixels += covered;
       out.pixel_scan += std::max(covered, 1);
@@ -75,10 +76,10 @@ void take_front(Cost& cost, const FrontEnd& front) {
   cost.triangles = front.triangles;
 }
 
-// A frame as it is rendered, `samples` squared times the pixels of the picture. Multiplications are those of a pixel that goes
-// through the units at one a cycle: six of the Gouraud planes; six of the coordinates, four of perspective, nine of the bilinear
-// filter and the product; six of the normals and, for each light, those of hs_lighting with highlights. A texture is fetched from
-// outside, four texels of 3 bytes; the picture is written.
+// A frame as it is rendered, `samples` squared times the pixels of the picture. Multiplications are those of a pixel
+// that goes through the units at one a cycle: six of the Gouraud planes; six of the coordinates, four of perspective,
+// nine of the bilinear filter and the product; six of the normals and, for each light, those of hs_lighting with
+// highlights. A texture is fetched from outside, four texels of 3 bytes; the picture is written.
 Cost rendered(const char* name, const FrontEnd& front, double picture_pixels, bool textured, int lights) {
   Cost cost{name, false};
   take_front(cost, front);
@@ -99,9 +100,9 @@ Cost rendered(const char* name, const FrontEnd& front, double picture_pixels, bo
   return cost;
 }
 
-// A frame made of two keys. Multiplications: two a plane, three of perspective a key; of each key's filter three or, bicubic,
-// fifteen a channel; one a channel of the blend. A word of motion is written and read, tiles are fetched, the picture is
-// written.
+// A frame made of two keys. Multiplications: two a plane, three of perspective a key; of each key's filter three or,
+// bicubic, fifteen a channel; one a channel of the blend. A word of motion is written and read, tiles are fetched, the
+// picture is written.
 Cost made(const char* name, const FrontEnd& front, double picture_pixels, const model::KernelFrameBetween& between,
           const model::Configuration& configuration) {
   const Config motion = configuration.config();
@@ -123,10 +124,11 @@ Cost made(const char* name, const FrontEnd& front, double picture_pixels, const 
   return cost;
 }
 
-// A frame with an S-buffer, of which an entry {depth, object, colour} a pixel is read, rendered and made of keys, and last the drawing of
-// that buffer, which writes them. Each merge takes a stamp a cycle.
-std::vector<Cost> with_static_buffer(const model::KernelUpConversion& mode, const ref::Scene& first, const ref::Scene& between,
-                               const ref::Scene& second, const std::vector<bool>& still, double picture_pixels, const Options& options) {
+// A frame with an S-buffer, of which an entry {depth, object, colour} a pixel is read, rendered and made of keys, and
+// last the drawing of that buffer, which writes them. Each merge takes a stamp a cycle.
+std::vector<Cost> with_static_buffer(const model::KernelUpConversion& mode, const ref::Scene& first,
+                                     const ref::Scene& between, const ref::Scene& second,
+                                     const std::vector<bool>& still, double picture_pixels, const Options& options) {
   const Config colour = mode.colour.config();
   const int samples = mode.motion.config().samples;
   const ref::View view{mode.width * samples, mode.height * samples, colour.range_bits, colour.subpixel_bits};
@@ -141,11 +143,14 @@ std::vector<Cost> with_static_buffer(const model::KernelUpConversion& mode, cons
   const double entry = colour.depth_bits + bits_for(still.size()) + 3 * colour.colour_bits;
   const double entries = double(view.width) * view.height * entry / 8 / picture_pixels;
   const bool one = samples == 1;
-  std::vector<Cost> costs{
-      rendered(one ? "rendered, Gouraud, S-buffer" : "rendered, 4x4, Gouraud, S-buffer", moving, picture_pixels, false, 0),
-      rendered(one ? "rendered, Phong, S-buffer" : "rendered, 4x4, Phong, S-buffer", moving, picture_pixels, false, options.lights),
-      made(one ? "made of key frames, S-buffer" : "made, 4x4 samples, S-buffer", moving, picture_pixels, converter.at(between, 0.4), mode.motion),
-      rendered(one ? "the S-buffer, once, Gouraud" : "the S-buffer, once, 4x4, Gouraud", standing, picture_pixels, false, 0)};
+  std::vector<Cost> costs{rendered(one ? "rendered, Gouraud, S-buffer" : "rendered, 4x4, Gouraud, S-buffer", moving,
+                                   picture_pixels, false, 0),
+                          rendered(one ? "rendered, Phong, S-buffer" : "rendered, 4x4, Phong, S-buffer", moving,
+                                   picture_pixels, false, options.lights),
+                          made(one ? "made of key frames, S-buffer" : "made, 4x4 samples, S-buffer", moving,
+                               picture_pixels, converter.at(between, 0.4), mode.motion),
+                          rendered(one ? "the S-buffer, once, Gouraud" : "the S-buffer, once, 4x4, Gouraud", standing,
+                                   picture_pixels, false, 0)};
   for (Cost& cost : costs) {
     take(cost, "ztest_merge", double(moving.stamps + 1));
     cost.bytes += entries;
@@ -157,9 +162,12 @@ std::vector<Cost> with_static_buffer(const model::KernelUpConversion& mode, cons
 void cost(const Options& options) {
   const FrameSize size = parse_size(options.size);
   const double aspect = double(size.width) / size.height;
-  const auto scene_at = [&](int n) { return ref::load_scene(options.scene, double(options.first + n) / kFramesASecond); };
+  const auto scene_at = [&](int n) {
+    return ref::load_scene(options.scene, double(options.first + n) / kFramesASecond);
+  };
   const ref::Scene first = scene_at(0), between = scene_at(2), second = scene_at(5);
-  if (first.duration <= 0) throw ref::Error(fmt::format("{}: nothing moves in it: take an animated scene", options.scene));
+  if (first.duration <= 0)
+    throw ref::Error(fmt::format("{}: nothing moves in it: take an animated scene", options.scene));
 
   std::array<ref::Scene, 3> held{first, between, second};
   const ref::DepthPlanes planes = ref::held_planes({&first, &between, &second}, aspect);
@@ -167,14 +175,21 @@ void cost(const Options& options) {
   const std::vector<bool> still = ref::static_instances(held[0], held[2], held[1], aspect);
   const auto standing = std::count(still.begin(), still.end(), true);
 
-  Json json = {{"scene", options.scene}, {"width", size.width}, {"height", size.height}, {"static_instances", standing}, {"rows", Json::array()}};
-  fmt::print("{} {}: a frame between two keys five apart, rendered and made of them; {} lanes, {} lights\n\n"
-             "{:<34} {:>10}  {:<18} {:>9} {:>9} {:>9} {:>9} {:>8} {:>8}\n", options.scene, options.size, options.lanes, options.lights, "", "cycles",
-             "slowest unit", "MUL/pixel", "B/pixel", "of cycles", "triangles", "words", "tiles");
+  Json json = {{"scene", options.scene},
+               {"width", size.width},
+               {"height", size.height},
+               {"static_instances", standing},
+               {"rows", Json::array()}};
+  fmt::print(
+      "{} {}: a frame between two keys five apart, rendered and made of them; {} lanes, {} lights\n\n"
+      "{:<34} {:>10}  {:<18} {:>9} {:>9} {:>9} {:>9} {:>8} {:>8}\n",
+      options.scene, options.size, options.lanes, options.lights, "", "cycles", "slowest unit", "MUL/pixel", "B/pixel",
+      "of cycles", "triangles", "words", "tiles");
   for (const int samples : {1, 4}) {
     const model::Configuration named = model::find_configuration(samples == 1 ? options.config : "high");
     const int scale = samples;
-    const ref::View view{size.width * scale, size.height * scale, named.config().range_bits, named.config().subpixel_bits};
+    const ref::View view{size.width * scale, size.height * scale, named.config().range_bits,
+                         named.config().subpixel_bits};
     const FrontEnd front = front_end(named, ref::project(between, view), options.lanes);
     const double picture_pixels = front.pixels / (samples * samples);
     Config numbers = model::default_motion(named.config());
@@ -183,29 +198,47 @@ void cost(const Options& options) {
     const model::KernelUpConversion mode{size.width, size.height, named, motion};
     model::KernelUpConverter converter(mode);
     converter.set_keys(first, second);
-    const Cost up = made(samples == 1 ? "made of key frames" : "made, 4x4 samples", front, picture_pixels, converter.at(between, 0.4), motion);
+    const Cost up = made(samples == 1 ? "made of key frames" : "made, 4x4 samples", front, picture_pixels,
+                         converter.at(between, 0.4), motion);
     const bool one = samples == 1;
-    std::vector<Cost> rows = {rendered(one ? "rendered, Gouraud" : "rendered, 4x4 samples, Gouraud", front, picture_pixels, false, 0),
-                         rendered(one ? "rendered, texture" : "rendered, 4x4 samples, texture", front, picture_pixels, true, 0),
-                         rendered(one ? "rendered, Phong" : "rendered, 4x4 samples, Phong", front, picture_pixels, false, options.lights), up};
+    std::vector<Cost> rows = {
+        rendered(one ? "rendered, Gouraud" : "rendered, 4x4 samples, Gouraud", front, picture_pixels, false, 0),
+        rendered(one ? "rendered, texture" : "rendered, 4x4 samples, texture", front, picture_pixels, true, 0),
+        rendered(one ? "rendered, Phong" : "rendered, 4x4 samples, Phong", front, picture_pixels, false,
+                 options.lights),
+        up};
     if (standing != 0) {
-      const std::vector<Cost> with = with_static_buffer(mode, held[0], held[1], held[2], still, picture_pixels, options);
+      const std::vector<Cost> with =
+          with_static_buffer(mode, held[0], held[1], held[2], still, picture_pixels, options);
       rows.insert(rows.end(), with.begin(), with.end());
     }
     for (const Cost& row : rows) {
-      fmt::print("{:<34} {:>10.0f}  {:<18} {:>9.1f} {:>9.1f} {:>8.0f}% {:>9} {:>8} {:>8}\n", row.name, row.cycles, row.slowest, row.multiplications,
-                 row.bytes, 100 * up.cycles / row.cycles, row.triangles, row.words, row.tiles);
-      json["rows"].push_back({{"name", row.name}, {"samples", samples}, {"made", row.made}, {"cycles", row.cycles}, {"slowest", row.slowest},
-                              {"multiplications_a_pixel", row.multiplications}, {"bytes_a_pixel", row.bytes},
-                              {"made_of_this", up.cycles / row.cycles}, {"triangles", row.triangles}, {"motion_words", row.words},
+      fmt::print("{:<34} {:>10.0f}  {:<18} {:>9.1f} {:>9.1f} {:>8.0f}% {:>9} {:>8} {:>8}\n", row.name, row.cycles,
+                 row.slowest, row.multiplications, row.bytes, 100 * up.cycles / row.cycles, row.triangles, row.words,
+                 row.tiles);
+      json["rows"].push_back({{"name", row.name},
+                              {"samples", samples},
+                              {"made", row.made},
+                              {"cycles", row.cycles},
+                              {"slowest", row.slowest},
+                              {"multiplications_a_pixel", row.multiplications},
+                              {"bytes_a_pixel", row.bytes},
+                              {"made_of_this", up.cycles / row.cycles},
+                              {"triangles", row.triangles},
+                              {"motion_words", row.words},
                               {"cache_misses", row.tiles}});
     }
   }
-  fmt::print("\nA pixel is a covered one of the picture. Of cycles: those of the made frame, of this one's. Words are of motion, tiles of key frames.\n");
+  fmt::print(
+      "\nA pixel is a covered one of the picture. Of cycles: those of the made frame, of this one's. Words are of "
+      "motion, tiles of key frames.\n");
   if (standing == 0) {
-    fmt::print("No instance stands still in all three frames, or the view or a light changes: an S-buffer would be empty.\n");
+    fmt::print(
+        "No instance stands still in all three frames, or the view or a light changes: an S-buffer would be empty.\n");
   } else {
-    fmt::print("{} of {} instances stand still. The S-buffer is drawn for all frames in which they do, and read in each.\n", standing, still.size());
+    fmt::print(
+        "{} of {} instances stand still. The S-buffer is drawn for all frames in which they do, and read in each.\n",
+        standing, still.size());
   }
   write_json(options.json, json);
 }
@@ -214,13 +247,21 @@ void cost(const Options& options) {
 
 void add_cost(CLI::App& app, int&) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("cost", "what a frame between key frames costs against rendering it, by shading");
-  command->add_option("SCENE", options->scene, "an animated scene (" + builtin_names() + ") or a mesh file with an animation")->required();
+  CLI::App* command =
+      app.add_subcommand("cost", "what a frame between key frames costs against rendering it, by shading");
+  command
+      ->add_option("SCENE", options->scene,
+                   "an animated scene (" + builtin_names() + ") or a mesh file with an animation")
+      ->required();
   command->add_option("--config", options->config, "of the frames")->capture_default_str();
   command->add_option("--size", options->size, "frame, WxH")->capture_default_str();
-  command->add_option("--first", options->first, "number of the first key frame")->capture_default_str()->check(zero_or_more());
+  command->add_option("--first", options->first, "number of the first key frame")
+      ->capture_default_str()
+      ->check(zero_or_more());
   command->add_option("--lanes", options->lanes, "pixels a stamp: 1, 2, 4, 8, 16")->capture_default_str();
-  command->add_option("--lights", options->lights, "of Phong shading, 1 to 4")->capture_default_str()->check(CLI::Range(1, 4));
+  command->add_option("--lights", options->lights, "of Phong shading, 1 to 4")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 4));
   command->add_option("--json", options->json, "file for the numbers");
   command->callback([options] { cost(*options); });
 }

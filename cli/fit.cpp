@@ -6,25 +6,25 @@
 #include <filesystem>
 #include <memory>
 
-#include "cli/common/area.hpp"
 #include "cli/commands.hpp"
+#include "cli/common/area.hpp"
 #include "cli/common/cosim.hpp"
-#include "cli/plots/picture.hpp"
 #include "cli/common/progress.hpp"
 #include "cli/common/scene_frames.hpp"
-#include "ref/error.hpp"
-#include "model/pipeline/engine.hpp"
-#include "study/fit/fit.hpp"
+#include "cli/plots/picture.hpp"
 #include "model/formats/format_fields.hpp"
+#include "model/pipeline/engine.hpp"
+#include "ref/error.hpp"
+#include "study/fit/fit.hpp"
 #include "vectors/staging.hpp"
 
 namespace halfspace::cli {
 namespace {
 
+using cli::to_json;  // beside the one of requirements
 using model::Configuration;
 using model::Fit;
 using model::FitScene;
-using cli::to_json;  // beside the one of requirements
 
 struct Options {
   FrameInput input;
@@ -53,13 +53,16 @@ Json to_json(const model::Requirements& r) {
 }
 
 void print(const model::Requirements& r, const FitScene& scene) {
-  fmt::print("{}: {} frame{} of {}x{}\n", scene.name, scene.frames.size(), scene.frames.size() == 1 ? "" : "s", scene.width, scene.height);
-  fmt::print("  vertices within x {:.0f} … {:.0f}, y {:.0f} … {:.0f} pixels; {} triangles in view at most\n", r.x_low, r.x_high, r.y_low,
-             r.y_high, r.triangles);
-  fmt::print("  steepest plane: depth {:.3g} of full scale a pixel, colour {:.3g} LSB a pixel; {}\n", r.depth_gradient, r.colour_gradient,
-             r.one_colour_each ? "each triangle has one colour" : "colours vary over triangles");
+  fmt::print("{}: {} frame{} of {}x{}\n", scene.name, scene.frames.size(), scene.frames.size() == 1 ? "" : "s",
+             scene.width, scene.height);
+  fmt::print("  vertices within x {:.0f} … {:.0f}, y {:.0f} … {:.0f} pixels; {} triangles in view at most\n", r.x_low,
+             r.x_high, r.y_low, r.y_high, r.triangles);
+  fmt::print("  steepest plane: depth {:.3g} of full scale a pixel, colour {:.3g} LSB a pixel; {}\n", r.depth_gradient,
+             r.colour_gradient, r.one_colour_each ? "each triangle has one colour" : "colours vary over triangles");
   if (r.overlapping == 0) fmt::print("  no pixel has two surfaces\n");
-  else fmt::print("  {} pixels have two surfaces or more, as near as {:.2g} of full scale\n", r.overlapping, r.depth_separation);
+  else
+    fmt::print("  {} pixels have two surfaces or more, as near as {:.2g} of full scale\n", r.overlapping,
+               r.depth_separation);
   if (scene.frames.size() > 1) fmt::print("  a vertex moves {:.2f} pixels a frame at most\n", r.motion);
 }
 
@@ -67,12 +70,14 @@ void print(const model::Requirements& r, const FitScene& scene) {
 std::vector<std::string> left_out(const Config& c, const model::Requirements& r) {
   std::vector<std::string> lines;
   if (!has_depth(c)) {
-    lines.push_back(fmt::format("Z-buffer, depth plane and comparison: {}", r.overlapping == 0 ? "no pixel has two surfaces"
-                                                                                              : "what is drawn first is never behind"));
+    lines.push_back(
+        fmt::format("Z-buffer, depth plane and comparison: {}",
+                    r.overlapping == 0 ? "no pixel has two surfaces" : "what is drawn first is never behind"));
   }
   if (!is_gouraud(c)) {
-    lines.push_back(fmt::format("colour planes and the shader's multipliers: {}",
-                                r.one_colour_each ? "each triangle has one colour" : "one colour each is as accurate as asked"));
+    lines.push_back(
+        fmt::format("colour planes and the shader's multipliers: {}",
+                    r.one_colour_each ? "each triangle has one colour" : "one colour each is as accurate as asked"));
   }
   if (!has_planes(c)) lines.push_back("reciprocal of the area: no triangle has a plane");
   return lines;
@@ -80,34 +85,47 @@ std::vector<std::string> left_out(const Config& c, const model::Requirements& r)
 
 Json to_json(const model::FitObjects& o) {
   if (o.why.empty()) return nullptr;
-  return {{"objects", o.objects}, {"moving", o.moving}, {"standing", o.standing}, {"cycles_all", o.cycles_all},
-          {"cycles_moving", o.cycles_moving}, {"why", o.why}};
+  return {{"objects", o.objects},
+          {"moving", o.moving},
+          {"standing", o.standing},
+          {"cycles_all", o.cycles_all},
+          {"cycles_moving", o.cycles_moving},
+          {"why", o.why}};
 }
 
 Json to_json(const model::FitArchitecture& a) {
   if (a.why.empty()) return nullptr;
-  return {{"z_buffer_bits", a.z_buffer_bits}, {"tdbv_bits", a.tdbv_bits}, {"cycles_delta", a.cycles_delta},
-          {"cycles_gamma", a.cycles_gamma}, {"why", a.why}};
+  return {{"z_buffer_bits", a.z_buffer_bits},
+          {"tdbv_bits", a.tdbv_bits},
+          {"cycles_delta", a.cycles_delta},
+          {"cycles_gamma", a.cycles_gamma},
+          {"why", a.why}};
 }
 
 void print_numbers(const Fit& fit, const Configuration& high) {
   const Config c = fit.configuration.config(), h = high.config();
   fmt::print("\n{:<18} {:>9} {:>9}\n", "", fit.configuration.name(), high.name());
-  for (const auto& field : model::config_fields()) fmt::print("{:<18} {:>9} {:>9}\n", field.name, c.*field.value, h.*field.value);
+  for (const auto& field : model::config_fields())
+    fmt::print("{:<18} {:>9} {:>9}\n", field.name, c.*field.value, h.*field.value);
   if (has_objects(c)) fmt::print("{:<18} {:>9} {:>9}\n", "object_bits", c.object_bits, h.object_bits);
   fmt::print("\none bit less:\n");
   for (const auto& less : fit.less) fmt::print("  {:<26} {}\n", less.change, less.result);
   const auto mine = model::memory_bits(c), theirs = model::memory_bits(h);
-  fmt::print("\nframe memories: {:.2f} Mbit (I-buffer {:.2f}, Z-buffer {:.2f}, TdbS {:.2f}, TdbV {:.2f}, objects {:.2f}), {} has {:.2f} Mbit: {:.1f} % saved\n",
-             mine.total() / 1e6, mine.index / 1e6, mine.depth / 1e6, mine.shading / 1e6, mine.visibility / 1e6, mine.object / 1e6, high.name(), theirs.total() / 1e6,
-             100 - 100.0 * mine.total() / theirs.total());
+  fmt::print(
+      "\nframe memories: {:.2f} Mbit (I-buffer {:.2f}, Z-buffer {:.2f}, TdbS {:.2f}, TdbV {:.2f}, objects {:.2f}), {} "
+      "has {:.2f} Mbit: {:.1f} % saved\n",
+      mine.total() / 1e6, mine.index / 1e6, mine.depth / 1e6, mine.shading / 1e6, mine.visibility / 1e6,
+      mine.object / 1e6, high.name(), theirs.total() / 1e6, 100 - 100.0 * mine.total() / theirs.total());
 }
 
 // The pipeline of both, and what is saved, for each target.
-Json compare_area(const Fit& fit, const Configuration& high, const std::vector<std::string>& targets, const std::string& work) {
+Json compare_area(const Fit& fit, const Configuration& high, const std::vector<std::string>& targets,
+                  const std::string& work) {
   if (targets.empty()) return nullptr;
-  std::fprintf(stderr, "area of %s and of %s by Yosys: some minutes\n", fit.configuration.name().c_str(), high.name().c_str());
-  const Json mine = measure_area(fit.configuration, targets, work + "/area"), theirs = measure_area(high, targets, work + "/area");
+  std::fprintf(stderr, "area of %s and of %s by Yosys: some minutes\n", fit.configuration.name().c_str(),
+               high.name().c_str());
+  const Json mine = measure_area(fit.configuration, targets, work + "/area"),
+             theirs = measure_area(high, targets, work + "/area");
   Json json = Json::object();
   for (const std::string& target : targets) {
     const auto pipeline = [&](const Json& area) {
@@ -117,8 +135,8 @@ Json compare_area(const Fit& fit, const Configuration& high, const std::vector<s
       throw ref::Error("the area tool tells nothing of the pipeline: this is a fault of the program");
     };
     const Json a = pipeline(mine), b = pipeline(theirs);
-    fmt::print("{}, {} lane{} beside {}'s {}:", target, fit.configuration.config().lanes, fit.configuration.config().lanes == 1 ? "" : "s",
-               high.name(), high.config().lanes);
+    fmt::print("{}, {} lane{} beside {}'s {}:", target, fit.configuration.config().lanes,
+               fit.configuration.config().lanes == 1 ? "" : "s", high.name(), high.config().lanes);
     for (const char* column : {"lut", "ff", "dsp", "memory_bits"}) {
       const double here = a[column].get<double>(), there = b[column].get<double>();
       fmt::print(" {} of {} {}{}", a[column].get<std::uint64_t>(), b[column].get<std::uint64_t>(), column,
@@ -134,9 +152,10 @@ Json compare_area(const Fit& fit, const Configuration& high, const std::vector<s
 Json prove(const Options& options, const FitScene& scene, const Fit& fit, const std::string& work) {
   const int lanes = fit.configuration.config().lanes;
   const auto again = model::check_fit(scene, fit.configuration, options.goal, lanes == 1 ? 4 : 1);
-  fmt::print("rendered again with {} lanes: {:.2f} dB, a colour off by {:.2f} LSB at most, {} pixels of another face\n", lanes == 1 ? 4 : 1,
-             again.psnr, again.largest_lsb, again.wrong_pixels);
-  if (!again.holds) throw ref::Error(fmt::format("{}: the configuration does not hold when rendered again: {}", scene.name, again.why));
+  fmt::print("rendered again with {} lanes: {:.2f} dB, a colour off by {:.2f} LSB at most, {} pixels of another face\n",
+             lanes == 1 ? 4 : 1, again.psnr, again.largest_lsb, again.wrong_pixels);
+  if (!again.holds)
+    throw ref::Error(fmt::format("{}: the configuration does not hold when rendered again: {}", scene.name, again.why));
   Json json = {{"psnr_db", again.psnr}, {"largest_lsb", again.largest_lsb}, {"wrong_pixels", again.wrong_pixels}};
   if (!options.cosim) return json;
 
@@ -147,10 +166,12 @@ Json prove(const Options& options, const FitScene& scene, const Fit& fit, const 
     frames.push_back({fmt::format("{} at {} s", scene.name, scene.times[k]), ref::snap(list, format)});
   }
   const Cosimulation cosim = cosimulate(work, scene.name, fit.configuration, lanes, frames);
-  fmt::print("co-simulated: {} words, {} mismatches, {} cycles a frame with {} lane{}\n", cosim.words, cosim.mismatches, cosim.cycles, lanes,
-             lanes == 1 ? "" : "s");
-  if (cosim.mismatches) throw ref::Error(fmt::format("{}: the RTL differs from the kernels: read {}/cosim.log", scene.name, work));
-  json["cosim"] = {{"words", cosim.words}, {"mismatches", cosim.mismatches}, {"cycles", cosim.cycles}, {"lanes", lanes}};
+  fmt::print("co-simulated: {} words, {} mismatches, {} cycles a frame with {} lane{}\n", cosim.words, cosim.mismatches,
+             cosim.cycles, lanes, lanes == 1 ? "" : "s");
+  if (cosim.mismatches)
+    throw ref::Error(fmt::format("{}: the RTL differs from the kernels: read {}/cosim.log", scene.name, work));
+  json["cosim"] = {
+      {"words", cosim.words}, {"mismatches", cosim.mismatches}, {"cycles", cosim.cycles}, {"lanes", lanes}};
   return json;
 }
 
@@ -162,18 +183,20 @@ void fit(const Options& options) {
   const std::string name = options.output.empty() ? name_of(scene.name) : name_of(options.output);
   Progress progress("fit " + scene.name + ": configurations tried");
   const Fit found = model::fit_configuration(scene, name, options.goal, options.lanes,
-                                               [&](std::uint64_t tried) { progress.tell(tried, tried); });
-  fmt::print("\n{} configurations tried: {:.2f} dB, a colour off by {:.2f} LSB at most\n", found.tried, found.outcome.psnr,
-             found.outcome.largest_lsb);
+                                             [&](std::uint64_t tried) { progress.tell(tried, tried); });
+  fmt::print("\n{} configurations tried: {:.2f} dB, a colour off by {:.2f} LSB at most\n", found.tried,
+             found.outcome.psnr, found.outcome.largest_lsb);
   const std::vector<std::string> gone = left_out(found.configuration.config(), needed);
   fmt::print("left out: {}\n", gone.empty() ? "nothing, every unit is needed" : "");
   for (const std::string& line : gone) fmt::print("  {}\n", line);
   const Configuration high = model::find_configuration("high");
   if (!found.architecture.why.empty()) {
-    fmt::print("type {}: {}\n", model::choice_name("architecture", found.configuration.config()), found.architecture.why);
+    fmt::print("type {}: {}\n", model::choice_name("architecture", found.configuration.config()),
+               found.architecture.why);
   }
   if (!found.objects.why.empty()) {
-    fmt::print("static objects buffers: {}: {}\n", has_objects(found.configuration.config()) ? "yes" : "no", found.objects.why);
+    fmt::print("static objects buffers: {}: {}\n", has_objects(found.configuration.config()) ? "yes" : "no",
+               found.objects.why);
   }
   print_numbers(found, high);
   const std::string work = options.work.empty() ? "fit_" + name : options.work;
@@ -183,47 +206,58 @@ void fit(const Options& options) {
 
   Json less = Json::array();
   for (const auto& one : found.less) less.push_back({{"change", one.change}, {"result", one.result}});
-  write_json(options.json, {{"scene", scene.name},
-                            {"frames", scene.frames.size()},
-                            {"width", scene.width},
-                            {"height", scene.height},
-                            {"goal", {{"psnr_db", options.goal.psnr}, {"max_lsb", options.goal.max_lsb}, {"cycles", options.goal.cycles}}},
-                            {"requires", to_json(needed)},
-                            {"tried", found.tried},
-                            {"configuration", to_json(found.configuration.config())},
-                            {"left_out", gone},
-                            {"architecture", to_json(found.architecture)},
-                            {"static_objects", to_json(found.objects)},
-                            {"one_bit_less", less},
-                            {"memory_bits", to_json(model::memory_bits(found.configuration.config()))},
-                            {"memory_bits_of_high", to_json(model::memory_bits(high.config()))},
-                            {"area", area},
-                            {"proof", proof}});
+  write_json(
+      options.json,
+      {{"scene", scene.name},
+       {"frames", scene.frames.size()},
+       {"width", scene.width},
+       {"height", scene.height},
+       {"goal", {{"psnr_db", options.goal.psnr}, {"max_lsb", options.goal.max_lsb}, {"cycles", options.goal.cycles}}},
+       {"requires", to_json(needed)},
+       {"tried", found.tried},
+       {"configuration", to_json(found.configuration.config())},
+       {"left_out", gone},
+       {"architecture", to_json(found.architecture)},
+       {"static_objects", to_json(found.objects)},
+       {"one_bit_less", less},
+       {"memory_bits", to_json(model::memory_bits(found.configuration.config()))},
+       {"memory_bits_of_high", to_json(model::memory_bits(high.config()))},
+       {"area", area},
+       {"proof", proof}});
 }
 
 }  // namespace
 
 void add_fit(CLI::App& app, int&) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("fit", "find the cheapest configuration that draws a scene as accurately as asked");
+  CLI::App* command =
+      app.add_subcommand("fit", "find the cheapest configuration that draws a scene as accurately as asked");
   command->footer(
-      "All frames of the scene are drawn with configurations of ever fewer bits, against the ideal picture: positions not\n"
+      "All frames of the scene are drawn with configurations of ever fewer bits, against the ideal picture: positions "
+      "not\n"
       "snapped, nothing rounded. What is found is rendered again, and its RTL co-simulated, before it is written.\n"
       "  halfspace fit teapot --psnr 45 -o teapot.toml\n"
       "  halfspace fit walk.glb --frames 0:49 --size 320x240 --max-lsb 2 -o walk.toml\n");
   add_frame_options(command, options->input);
-  command->add_option("--psnr", options->goal.psnr, "dB against the ideal picture, of each frame; 0: not asked")->capture_default_str();
-  command->add_option("--max-lsb", options->goal.max_lsb,
-                      "largest error of a colour, LSB of 8 bits, where the face is right; 0: not asked")->capture_default_str();
-  command->add_option("--cycles", options->goal.cycles, "cycles a frame at most: takes as many lanes as that needs; 0: not asked")
+  command->add_option("--psnr", options->goal.psnr, "dB against the ideal picture, of each frame; 0: not asked")
+      ->capture_default_str();
+  command
+      ->add_option("--max-lsb", options->goal.max_lsb,
+                   "largest error of a colour, LSB of 8 bits, where the face is right; 0: not asked")
+      ->capture_default_str();
+  command
+      ->add_option("--cycles", options->goal.cycles,
+                   "cycles a frame at most: takes as many lanes as that needs; 0: not asked")
       ->capture_default_str();
   command->add_flag("--static-objects", options->goal.static_objects,
-                    "let pixels know their objects, for static objects buffers, where some move, some stand still, and it saves cycles");
+                    "let pixels know their objects, for static objects buffers, where some move, some stand still, and "
+                    "it saves cycles");
   command->add_option("--lanes", options->lanes, "pixels a cycle; default: the fewest");
   command->add_option("-o,--output", options->output, "configuration to write");
   command->add_option("--work", options->work, "folder for the bench and the vectors; default: fit_NAME");
   command->add_flag("--cosim,!--no-cosim", options->cosim, "co-simulate the RTL of what is found");
-  command->add_option("--area", options->area, "targets for Yosys: xilinx,ecp5,ice40, all, or none")->capture_default_str();
+  command->add_option("--area", options->area, "targets for Yosys: xilinx,ecp5,ice40, all, or none")
+      ->capture_default_str();
   command->add_option("--json", options->json, "file for the numbers");
   command->callback([options] { fit(*options); });
 }

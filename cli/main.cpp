@@ -60,8 +60,7 @@ Json to_json(const ref::Rates& rates) {
 
 Json all_rates(const ref::Rates& rates) {
   Json json = to_json(rates);
-  json.update({{"runs", rates.runs},
-               {"largest_index", rates.largest_index}});
+  json.update({{"runs", rates.runs}, {"largest_index", rates.largest_index}});
   return json;
 }
 
@@ -84,8 +83,9 @@ Json to_json(const ref::BufferUses& needed, const model::BufferBits& bits, const
 }
 
 Json to_json(const model::MemoryBits& m) {
-  return {{"index_buffer", m.index}, {"depth_buffer", m.depth}, {"shading_database", m.shading},
-          {"visibility_database", m.visibility}, {"object_table", m.object}, {"total", m.total()}};
+  return {{"index_buffer", m.index},       {"depth_buffer", m.depth},
+          {"shading_database", m.shading}, {"visibility_database", m.visibility},
+          {"object_table", m.object},      {"total", m.total()}};
 }
 
 }  // namespace halfspace::cli

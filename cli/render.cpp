@@ -9,17 +9,17 @@
 #include <set>
 
 #include "cli/commands.hpp"
-#include "cli/plots/picture.hpp"
 #include "cli/common/scene_input.hpp"
-#include "ref/raster/architecture.hpp"
-#include "ref/error.hpp"
-#include "ref/geometry/triangle_list.hpp"
+#include "cli/plots/picture.hpp"
 #include "model/pipeline/accesses.hpp"
 #include "model/pipeline/cycles.hpp"
-#include "vectors/dump.hpp"
 #include "model/pipeline/engine.hpp"
 #include "model/pipeline/rates.hpp"
 #include "model/texture/texture.hpp"
+#include "ref/error.hpp"
+#include "ref/geometry/triangle_list.hpp"
+#include "ref/raster/architecture.hpp"
+#include "vectors/dump.hpp"
 
 namespace halfspace::cli {
 namespace {
@@ -41,7 +41,8 @@ ref::Frame rounded(const ref::IdealFrame& ideal, int depth_bits) {
   for (std::size_t n = 0; n < ideal.face.size(); ++n) {
     frame.depth.push_back(std::uint32_t(std::round(ideal.depth[n] * full)));
     const auto& [r, g, b] = ideal.colour[n];
-    frame.colour.push_back({std::uint8_t(std::round(r)), std::uint8_t(std::round(g)), std::uint8_t(std::round(b)), 255});
+    frame.colour.push_back(
+        {std::uint8_t(std::round(r)), std::uint8_t(std::round(g)), std::uint8_t(std::round(b)), 255});
   }
   return frame;
 }
@@ -52,8 +53,12 @@ struct Counts {
 };
 
 Json to_json(const model::Cycles& c) {
-  return {{"frame", c.frame},   {"triangle_setup", c.triangle_setup}, {"shade_setup", c.shade_setup}, {"raster", c.raster},
-          {"test", c.test},     {"scan_out", c.scan_out}};
+  return {{"frame", c.frame},
+          {"triangle_setup", c.triangle_setup},
+          {"shade_setup", c.shade_setup},
+          {"raster", c.raster},
+          {"test", c.test},
+          {"scan_out", c.scan_out}};
 }
 
 // The circuit of the kernels, if its lanes are named; else the paper's.
@@ -78,37 +83,45 @@ model::BufferBits bits_of(ref::Architecture architecture, Config config) {
 ref::Frame draw_by(const Options& options, const LoadedScene& loaded, Counts& counts) {
   const ref::SnappedList& list = loaded.list;
   const Config config = loaded.configuration.config();
-  const ref::Architecture architecture = kind_of(ref::kArchitectures, options.architecture.empty() ? "delta" : options.architecture);
+  const ref::Architecture architecture =
+      kind_of(ref::kArchitectures, options.architecture.empty() ? "delta" : options.architecture);
   std::optional<ref::Scene> scene;
   std::optional<ref::Geometry> geometry;
   std::unique_ptr<ref::Surface> surface;
   if (loaded.between) {
     surface = ref::given_surface(list);  // black: it gives no picture
   } else if (ref::is_tri_file(options.input.scene)) {
-    if (options.shading == "phong") throw ref::Error(options.input.scene + ": its triangles have colours and no normals: leave out --shading phong");
+    if (options.shading == "phong")
+      throw ref::Error(options.input.scene + ": its triangles have colours and no normals: leave out --shading phong");
     surface = ref::given_surface(list);
   } else {
     // Textures of a configuration that has them are as it can hold them.
-    scene = has_texture(config) ? *loaded.scene : ref::load_scene(options.input.scene, options.input.time, !options.texture.empty());
+    scene = has_texture(config) ? *loaded.scene
+                                : ref::load_scene(options.input.scene, options.input.time, !options.texture.empty());
     geometry.emplace(*scene, ref::View{list.width, list.height, list.format.range_bits, list.format.subpixel_bits});
     const std::string given = model::choice_name("shading", config);
-    surface = ref::lit_surface(*geometry, list, kind_of(ref::kShadingModes, options.shading.empty() ? given : options.shading));
+    surface = ref::lit_surface(*geometry, list,
+                               kind_of(ref::kShadingModes, options.shading.empty() ? given : options.shading));
     if (!options.texture.empty()) {
-      const ref::TextureMode mode{options.texture == "nearest" ? ref::TextureFilter::kNearest : ref::TextureFilter::kBilinear,
-                                  options.mapping == "affine" ? ref::TextureMapping::kAffine : ref::TextureMapping::kPerspective};
+      const ref::TextureMode mode{
+          options.texture == "nearest" ? ref::TextureFilter::kNearest : ref::TextureFilter::kBilinear,
+          options.mapping == "affine" ? ref::TextureMapping::kAffine : ref::TextureMapping::kPerspective};
       surface = ref::textured_surface(std::move(surface), *geometry, list, mode);
     } else if (has_texture(config)) {
       surface = ref::textured_surface(std::move(surface), *geometry, list, texture_mode(config));
     }
   }
-  ref::Drawing drawing = ref::draw(list, *surface, architecture, true, {}, circuit_of(loaded.configuration, options.lanes));
+  ref::Drawing drawing =
+      ref::draw(list, *surface, architecture, true, {}, circuit_of(loaded.configuration, options.lanes));
   counts.rates = all_rates(drawing.rates);
   if (options.shading.empty() || options.shading == model::choice_name("shading", config)) {
-    if (has_objects(config)) model::add_object_uses(list.width * std::uint64_t(list.height), drawing.rates.triangles, drawing.buffers);
+    if (has_objects(config))
+      model::add_object_uses(list.width * std::uint64_t(list.height), drawing.rates.triangles, drawing.buffers);
     counts.buffers = to_json(drawing.buffers, bits_of(architecture, config));
   }
-  fmt::print("{}: {} fragments, {} passed the Z-test; {} lightings, {} texels\n", name_of(architecture), drawing.rates.fragments,
-             drawing.rates.reduced_fragments, drawing.rates.lightings, drawing.rates.texture_fetches);
+  fmt::print("{}: {} fragments, {} passed the Z-test; {} lightings, {} texels\n", name_of(architecture),
+             drawing.rates.fragments, drawing.rates.reduced_fragments, drawing.rates.lightings,
+             drawing.rates.texture_fetches);
   return frame_of(list, std::move(drawing));
 }
 
@@ -124,20 +137,25 @@ void render(const Options& options) {
   const ref::SnappedList& scene = loaded.list;
   const int lanes = options.lanes ? options.lanes : 16;
   const bool moves = has_motion(loaded.configuration.config());
-  if (moves && (options.engine == "ideal" || !options.shading.empty() || !options.texture.empty() || !options.output.empty() ||
-                !options.dump.empty())) {
-    throw ref::Error(fmt::format("configuration {} gives motion and no picture: leave out --engine ideal, --shading, --texture, -o and --dump",
-                                 loaded.configuration.name()));
+  if (moves && (options.engine == "ideal" || !options.shading.empty() || !options.texture.empty() ||
+                !options.output.empty() || !options.dump.empty())) {
+    throw ref::Error(fmt::format(
+        "configuration {} gives motion and no picture: leave out --engine ideal, --shading, --texture, -o and --dump",
+        loaded.configuration.name()));
   }
   Counts counts;
   const bool chosen = !options.architecture.empty() || !options.shading.empty() || !options.texture.empty();
   if (chosen && options.engine == "hls") {
     if (options.architecture != "gamma" && options.architecture != "delta") {
-      throw ref::Error("--architecture and --shading: the kernels are of type gamma or delta, with the shading of their configuration: "
-                       "take --engine ref for the rest");
+      throw ref::Error(
+          "--architecture and --shading: the kernels are of type gamma or delta, with the shading of their "
+          "configuration: "
+          "take --engine ref for the rest");
     }
     if (!options.shading.empty() || !options.texture.empty()) {
-      throw ref::Error("--shading, --texture: the kernels have the shading and the texture of their configuration: name one with --config, or take --engine ref");
+      throw ref::Error(
+          "--shading, --texture: the kernels have the shading and the texture of their configuration: name one with "
+          "--config, or take --engine ref");
     }
     Config numbers = loaded.configuration.config();
     numbers.architecture = options.architecture == "gamma" ? Architecture::kGamma : Architecture::kDelta;
@@ -154,7 +172,8 @@ void render(const Options& options) {
     // The model knows no pipeline that waits for normals.
     if (!is_deferred(config)) cycles = to_json(model::model_cycles(config, *engine, scene, engine->render(scene)));
   }
-  const ref::Frame frame = chosen && options.engine == "ref" ? draw_by(options, loaded, counts) : render_with(options.engine, loaded, lanes);
+  const ref::Frame frame =
+      chosen && options.engine == "ref" ? draw_by(options, loaded, counts) : render_with(options.engine, loaded, lanes);
   if (!options.output.empty()) write_picture(options.output, colour_picture(frame));
   if (!options.dump.empty()) model::write_dump(options.dump, scene, frame);
 
@@ -162,8 +181,8 @@ void render(const Options& options) {
   for (const std::uint32_t index : frame.index) covered += index != 0;
   std::uint64_t reduced = 0;
   for (const bool visible : frame.visible) reduced += visible;
-  const std::uint64_t in_view = std::set<std::uint32_t>(frame.index.begin(), frame.index.end()).size() -
-                                (covered < frame.index.size() ? 1 : 0);
+  const std::uint64_t in_view =
+      std::set<std::uint32_t>(frame.index.begin(), frame.index.end()).size() - (covered < frame.index.size() ? 1 : 0);
   fmt::print("{} {} {}: {}x{}, {} triangles, {} passed the Z-test, {} in view, {} pixels covered\n", options.engine,
              options.input.scene, scene.format.name, scene.width, scene.height, scene.triangles.size(), reduced,
              in_view, covered);
@@ -189,16 +208,25 @@ void add_render(CLI::App& app, int&) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("render", "render a scene with the reference or the kernels");
   add_scene_options(command, options->input);
-  command->add_option("--engine", options->engine, "ref: floating-point reference; hls: fixed-point kernels; ideal: no position snapped (index: faces of the scene)")
+  command
+      ->add_option("--engine", options->engine,
+                   "ref: floating-point reference; hls: fixed-point kernels; ideal: no position snapped (index: faces "
+                   "of the scene)")
       ->check(CLI::IsMember({"ref", "hls", "ideal"}))
       ->capture_default_str();
-  command->add_option("--lanes", options->lanes, "pixels a stamp: 1, 2, 4, 8, 16 (the picture is the same); default for hls: 16; for ref with --architecture: pixel by pixel");
-  command->add_option("--architecture", options->architecture,
-                      "alpha, traditional; beta, deferred shading; gamma, delta, index rendering without and with a Z-buffer")
+  command->add_option("--lanes", options->lanes,
+                      "pixels a stamp: 1, 2, 4, 8, 16 (the picture is the same); default for hls: 16; for ref with "
+                      "--architecture: pixel by pixel");
+  command
+      ->add_option(
+          "--architecture", options->architecture,
+          "alpha, traditional; beta, deferred shading; gamma, delta, index rendering without and with a Z-buffer")
       ->check(CLI::IsMember({"alpha", "beta", "gamma", "delta"}));
   command->add_option("--shading", options->shading, "for --engine ref: flat, gouraud or phong")
       ->check(CLI::IsMember({"flat", "gouraud", "phong"}));
-  command->add_option("--texture", options->texture, "for --engine ref: draw the textures of the scene, nearest or bilinear")
+  command
+      ->add_option("--texture", options->texture,
+                   "for --engine ref: draw the textures of the scene, nearest or bilinear")
       ->check(CLI::IsMember({"nearest", "bilinear"}));
   command->add_option("--mapping", options->mapping, "of textures: affine on the screen, or perspective")
       ->check(CLI::IsMember({"affine", "perspective"}))

@@ -10,10 +10,10 @@
 #include <sstream>
 
 #include "cli/commands.hpp"
-#include "cli/plots/picture.hpp"
 #include "cli/common/scene_input.hpp"
-#include "ref/error.hpp"
+#include "cli/plots/picture.hpp"
 #include "model/pipeline/engine.hpp"
+#include "ref/error.hpp"
 
 namespace halfspace::cli {
 namespace {
@@ -28,7 +28,8 @@ Json read_json(const std::string& path) {
   std::ifstream file(path);
   Json json = Json::parse(file, nullptr, false);
   if (!file || json.is_discarded() || !json.contains("runs")) {
-    throw ref::Error(fmt::format("{}: not a report of the co-simulation: give what --json of a tb_ program wrote", path));
+    throw ref::Error(
+        fmt::format("{}: not a report of the co-simulation: give what --json of a tb_ program wrote", path));
   }
   return json;
 }
@@ -41,8 +42,9 @@ ref::Frame read_rtl_frame(const std::string& path, const ref::Frame& like) {
   const std::string text = bytes.str();
   ref::Frame frame = like;
   if (!file || text.size() != frame.colour.size() * 4) {
-    throw ref::Error(fmt::format("{}: not a frame of {}x{} in RGBA: give what --dump of tb_pipeline wrote for this scene",
-                                 path, like.width, like.height));
+    throw ref::Error(
+        fmt::format("{}: not a frame of {}x{} in RGBA: give what --dump of tb_pipeline wrote for this scene", path,
+                    like.width, like.height));
   }
   std::memcpy(frame.colour.data(), text.data(), text.size());
   return frame;
@@ -52,11 +54,16 @@ struct Row {
   const char* stage;
   std::vector<const char*> streams;  // that it sends
 };
-const Row kRows[] = {{"triangle_setup", {"setup", "attributes"}}, {"visible_select", {"visible_attributes"}},
-                     {"light_vertex", {"colours"}},               {"shade_setup", {"planes"}},
-                     {"phong_setup", {"planes"}},                 {"raster_pineda", {"triangle_depth", "stamp"}},
-                     {"ztest_index", {"update", "visible"}},      {"ztest_plane", {"update", "visible"}},
-                     {"scan_index", {"scan"}},                    {"shade_gouraud", {"pixel"}},
+const Row kRows[] = {{"triangle_setup", {"setup", "attributes"}},
+                     {"visible_select", {"visible_attributes"}},
+                     {"light_vertex", {"colours"}},
+                     {"shade_setup", {"planes"}},
+                     {"phong_setup", {"planes"}},
+                     {"raster_pineda", {"triangle_depth", "stamp"}},
+                     {"ztest_index", {"update", "visible"}},
+                     {"ztest_plane", {"update", "visible"}},
+                     {"scan_index", {"scan"}},
+                     {"shade_gouraud", {"pixel"}},
                      {"shade_phong", {"pixel"}}};
 
 // Whether a configuration has the unit.
@@ -94,8 +101,8 @@ std::string cycles_of(const Json& report, const std::string& unit) {
 
 Json print_table(const Json& cosim, const Json& units, const model::Accuracy& a, const Config& config) {
   // Column widths count characters: fmt pads by display width.
-  fmt::print("\n{:<15} {:>10} {:>10}  {:<34} {:>7} {:>10}\n", "stage", "words", "mismatches", "error against the reference",
-             "dB", "cycles");
+  fmt::print("\n{:<15} {:>10} {:>10}  {:<34} {:>7} {:>10}\n", "stage", "words", "mismatches",
+             "error against the reference", "dB", "cycles");
   Json rows = Json::array();
   for (const Row& row : kRows) {
     if (!has_unit(config, row.stage)) continue;
@@ -120,9 +127,10 @@ Json print_table(const Json& cosim, const Json& units, const model::Accuracy& a,
   for (const Json& run : cosim.value("runs", Json::array())) {
     fmt::print("{:<15} {:>10} {:>10}  {:<34} {:>7} {:>10}\n", "pipeline", run["words"].get<std::uint64_t>(),
                run["mismatches"].get<std::uint64_t>(), "", "", run["cycles"].get<std::uint64_t>());
-    fmt::print("\nwords: RTL against kernels, to the bit. error: kernels against the floating-point reference, largest.\n"
-               "cycles: of each unit alone without stalls; pipeline: {}.\n",
-               run["cycles_of"].get<std::string>());
+    fmt::print(
+        "\nwords: RTL against kernels, to the bit. error: kernels against the floating-point reference, largest.\n"
+        "cycles: of each unit alone without stalls; pipeline: {}.\n",
+        run["cycles_of"].get<std::string>());
   }
   return rows;
 }
@@ -131,7 +139,8 @@ int report(const Options& options) {
   const Json cosim = read_json(options.cosim), units = read_json(options.units);
   const LoadedScene loaded = load_snapped(options.input);
   if (loaded.between) {
-    throw ref::Error(fmt::format("configuration {} gives motion and no picture: name one that shades", loaded.configuration.name()));
+    throw ref::Error(
+        fmt::format("configuration {} gives motion and no picture: name one that shades", loaded.configuration.name()));
   }
   const ref::SnappedList& scene = loaded.list;
   const ref::Frame reference = reference_of(loaded);
@@ -155,7 +164,8 @@ int report(const Options& options) {
   picture("index.png", index_picture(kernels));
   const bool has_depth = scene.format.depth_bits != 0;
   if (has_depth) picture("depth.png", depth_picture(kernels));
-  picture(fmt::format("difference_x{}.png", kGain).c_str(), difference_picture(colour_picture(reference), colour_picture(kernels), kGain));
+  picture(fmt::format("difference_x{}.png", kGain).c_str(),
+          difference_picture(colour_picture(reference), colour_picture(kernels), kGain));
 
   const Json rows = print_table(cosim, units, a, loaded.configuration.config());
   write_json(options.json, {{"scene", options.input.scene},
@@ -175,7 +185,8 @@ int report(const Options& options) {
 
 void add_report(CLI::App& app, int& status) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("report", "pictures and the table of the stages, with the co-simulation's counts");
+  CLI::App* command =
+      app.add_subcommand("report", "pictures and the table of the stages, with the co-simulation's counts");
   add_scene_options(command, options->input);
   command->add_option("--out", options->out, "folder for the pictures")->required();
   command->add_option("--cosim", options->cosim, "JSON that tb_pipeline wrote");

@@ -18,10 +18,10 @@
 namespace halfspace::cli {
 namespace {
 
-using ref::Architecture;
-using ref::ShadingMode;
 using model::HardwareLevel;
 using model::WidePixel;
+using ref::Architecture;
+using ref::ShadingMode;
 
 struct Options {
   std::vector<std::string> scenes;
@@ -36,8 +36,13 @@ std::string short_name(const std::string& scene) { return std::filesystem::path(
 double percent(double part, double whole) { return whole == 0 ? 100 : 100 * part / whole; }
 
 Json bytes_json(const model::BufferBytes& b) {
-  return {{"depth_buffer", b.depth}, {"frame_buffer", b.frame}, {"pixel_buffer", b.pixel}, {"index_buffer", b.index},
-          {"visibility_database", b.visibility}, {"shading_database", b.shading}, {"total", b.total()}};
+  return {{"depth_buffer", b.depth},
+          {"frame_buffer", b.frame},
+          {"pixel_buffer", b.pixel},
+          {"index_buffer", b.index},
+          {"visibility_database", b.visibility},
+          {"shading_database", b.shading},
+          {"total", b.total()}};
 }
 
 // --- paper A ---
@@ -72,43 +77,55 @@ std::vector<Measured> measure_all(const Options& options) {
 }
 
 Json print_lightings(const std::vector<Measured>& all) {
-  fmt::print("Lightings, percent of alpha's (the paper: deferred shading saves none with flat and Gouraud, index rendering 10–70 %;\n"
-             "with Phong both save 30–95 %)\n\n{:<12} {:>9} {:<8} {:>10} {:>8} {:>8} {:>12}\n", "scene", "frame", "shading", "alpha", "beta",
-             "gamma", "delta");
+  fmt::print(
+      "Lightings, percent of alpha's (the paper: deferred shading saves none with flat and Gouraud, index rendering "
+      "10–70 %;\n"
+      "with Phong both save 30–95 %)\n\n{:<12} {:>9} {:<8} {:>10} {:>8} {:>8} {:>12}\n",
+      "scene", "frame", "shading", "alpha", "beta", "gamma", "delta");
   Json rows = Json::array();
   for (const Measured& m : all) {
     std::array<double, 4> share;
-    for (std::size_t n = 0; n < 4; ++n) share[n] = percent(double(m.rates[n].rates.lightings), double(m.rates[0].rates.lightings));
-    fmt::print("{:<12} {:>9} {:<8} {:>10} {:>7.1f}% {:>7.1f}% {:>11.1f}%\n", short_name(m.scene), size_name(m.width, m.height),
-               name_of(m.mode), m.rates[0].rates.lightings, share[1], share[2], share[3]);
-    Json row = {{"scene", m.scene}, {"level", m.level->config}, {"width", m.width}, {"height", m.height}, {"shading", name_of(m.mode)}};
+    for (std::size_t n = 0; n < 4; ++n)
+      share[n] = percent(double(m.rates[n].rates.lightings), double(m.rates[0].rates.lightings));
+    fmt::print("{:<12} {:>9} {:<8} {:>10} {:>7.1f}% {:>7.1f}% {:>11.1f}%\n", short_name(m.scene),
+               size_name(m.width, m.height), name_of(m.mode), m.rates[0].rates.lightings, share[1], share[2], share[3]);
+    Json row = {{"scene", m.scene},
+                {"level", m.level->config},
+                {"width", m.width},
+                {"height", m.height},
+                {"shading", name_of(m.mode)}};
     for (std::size_t n = 0; n < 4; ++n) row[name_of(ref::kArchitectures[n])] = all_rates(m.rates[n].rates);
     rows.push_back(std::move(row));
   }
   return rows;
 }
 
-constexpr const char* kWideNames[] = {"a copy of the planes (the paper's direct method)", "the interpolated colour alone"};
+constexpr const char* kWideNames[] = {"a copy of the planes (the paper's direct method)",
+                                      "the interpolated colour alone"};
 
 Json print_sizes() {
   Json rows = Json::array();
   for (const WidePixel wide : {WidePixel::kPlanes, WidePixel::kInterpolated}) {
-    fmt::print("\nBuffers, kB; a wide pixel of beta: {}\n\n{:<8} {:>9} {:<8} {:>9} {:>9} {:>9} {:>9}   {}\n", kWideNames[int(wide)],
-               "level", "frame", "shading", "alpha", "beta", "gamma", "delta", "gamma, delta against beta (the paper: 70 % less)");
+    fmt::print("\nBuffers, kB; a wide pixel of beta: {}\n\n{:<8} {:>9} {:<8} {:>9} {:>9} {:>9} {:>9}   {}\n",
+               kWideNames[int(wide)], "level", "frame", "shading", "alpha", "beta", "gamma", "delta",
+               "gamma, delta against beta (the paper: 70 % less)");
     for (const HardwareLevel& level : model::hardware_levels()) {
       for (const auto& [width, height] : level.sizes) {
         for (const ShadingMode mode : ref::kShadingModes) {
           std::array<double, 4> total;
-          Json row = {{"level", level.config}, {"width", width}, {"height", height}, {"shading", name_of(mode)},
+          Json row = {{"level", level.config},
+                      {"width", width},
+                      {"height", height},
+                      {"shading", name_of(mode)},
                       {"wide_pixel", wide == WidePixel::kPlanes ? "planes" : "interpolated"}};
           for (std::size_t n = 0; n < 4; ++n) {
             const auto bytes = model::buffer_sizes(level, width, height, ref::kArchitectures[n], mode, wide);
             total[n] = bytes.total();
             row[name_of(ref::kArchitectures[n])] = bytes_json(bytes);
           }
-          fmt::print("{:<8} {:>9} {:<8} {:>9.0f} {:>9.0f} {:>9.0f} {:>9.0f}   {:+.0f} %, {:+.0f} %\n", level.config, size_name(width, height),
-                     name_of(mode), total[0] / 1e3, total[1] / 1e3, total[2] / 1e3, total[3] / 1e3, percent(total[2], total[1]) - 100,
-                     percent(total[3], total[1]) - 100);
+          fmt::print("{:<8} {:>9} {:<8} {:>9.0f} {:>9.0f} {:>9.0f} {:>9.0f}   {:+.0f} %, {:+.0f} %\n", level.config,
+                     size_name(width, height), name_of(mode), total[0] / 1e3, total[1] / 1e3, total[2] / 1e3,
+                     total[3] / 1e3, percent(total[2], total[1]) - 100, percent(total[3], total[1]) - 100);
           rows.push_back(std::move(row));
         }
       }
@@ -118,11 +135,15 @@ Json print_sizes() {
 }
 
 // A line of bandwidth, MB/s, from the accesses by each architecture.
-Json print_bandwidth(const std::string& what, const HardwareLevel& level, int width, int height, ShadingMode mode, WidePixel wide,
-                     const std::array<ref::BufferUses, 4>& uses) {
+Json print_bandwidth(const std::string& what, const HardwareLevel& level, int width, int height, ShadingMode mode,
+                     WidePixel wide, const std::array<ref::BufferUses, 4>& uses) {
   const model::BufferBits bits = model::buffer_bits(level, mode, wide);
   std::array<double, 4> rate;
-  Json row = {{"scene", what}, {"level", level.config}, {"width", width}, {"height", height}, {"shading", name_of(mode)},
+  Json row = {{"scene", what},
+              {"level", level.config},
+              {"width", width},
+              {"height", height},
+              {"shading", name_of(mode)},
               {"wide_pixel", wide == WidePixel::kPlanes ? "planes" : "interpolated"}};
   double tdbv = 0;
   for (std::size_t n = 0; n < 4; ++n) {
@@ -132,8 +153,8 @@ Json print_bandwidth(const std::string& what, const HardwareLevel& level, int wi
     Json& of = row[name_of(ref::kArchitectures[n])] = bytes_json(bytes);
     of["accesses"] = to_json(uses[n], bits);
   }
-  fmt::print("{:<12} {:<7} {:>9} {:<8} {:>8.1f} {:>8.1f} {:>8.1f} {:>8.1f} {:>8.1f}   {:+.0f} %, {:+.0f} %\n", what, level.config,
-             size_name(width, height), name_of(mode), rate[0], rate[1], rate[2], rate[2] - tdbv, rate[3],
+  fmt::print("{:<12} {:<7} {:>9} {:<8} {:>8.1f} {:>8.1f} {:>8.1f} {:>8.1f} {:>8.1f}   {:+.0f} %, {:+.0f} %\n", what,
+             level.config, size_name(width, height), name_of(mode), rate[0], rate[1], rate[2], rate[2] - tdbv, rate[3],
              percent(rate[2] - tdbv, rate[1]) - 100, percent(rate[3], rate[1]) - 100);
   return row;
 }
@@ -141,15 +162,19 @@ Json print_bandwidth(const std::string& what, const HardwareLevel& level, int wi
 Json print_bandwidths(const std::vector<Measured>& all) {
   Json rows = Json::array();
   for (const WidePixel wide : {WidePixel::kPlanes, WidePixel::kInterpolated}) {
-    fmt::print("\nBandwidth, MB/s; a wide pixel of beta: {}. TdbV is small enough to be on chip, so gamma stands without it as well.\n"
-               "largest: all triangles of the level visible, {} fragments each, all of which pass.\n\n"
-               "{:<12} {:<7} {:>9} {:<8} {:>8} {:>8} {:>8} {:>8} {:>8}   {}\n", kWideNames[int(wide)], model::kTrianglePixels, "scene",
-               "level", "frame", "shading", "alpha", "beta", "gamma", "- TdbV", "delta", "gamma - TdbV, delta against beta (the paper: 50–70 % less)");
+    fmt::print(
+        "\nBandwidth, MB/s; a wide pixel of beta: {}. TdbV is small enough to be on chip, so gamma stands without it "
+        "as well.\n"
+        "largest: all triangles of the level visible, {} fragments each, all of which pass.\n\n"
+        "{:<12} {:<7} {:>9} {:<8} {:>8} {:>8} {:>8} {:>8} {:>8}   {}\n",
+        kWideNames[int(wide)], model::kTrianglePixels, "scene", "level", "frame", "shading", "alpha", "beta", "gamma",
+        "- TdbV", "delta", "gamma - TdbV, delta against beta (the paper: 50–70 % less)");
     for (const HardwareLevel& level : model::hardware_levels()) {
       for (const auto& [width, height] : level.sizes) {
         for (const ShadingMode mode : ref::kShadingModes) {
           std::array<ref::BufferUses, 4> uses;
-          for (std::size_t n = 0; n < 4; ++n) uses[n] = model::largest_uses(level, width, height, ref::kArchitectures[n]);
+          for (std::size_t n = 0; n < 4; ++n)
+            uses[n] = model::largest_uses(level, width, height, ref::kArchitectures[n]);
           rows.push_back(print_bandwidth("largest", level, width, height, mode, wide, uses));
         }
       }
@@ -178,37 +203,48 @@ void repro_a(const Options& options) {
 // --- paper B ---
 
 void print_model(const std::string& name, const model::TriangleCounts& n) {
-  const double dual = double(model::cost_dual(n)), one = double(model::cost_type_1(n)), two = double(model::cost_type_2(n));
-  fmt::print("{:<22} {:>8} {:>8} {:>8} {:>6.1f}% {:>6.1f}% {:>9.0f}k {:>9.0f}k {:>9.0f}k {:>7.1f}% {:>7.1f}%\n", name, n.a, n.b, n.c,
-             percent(double(n.c), double(n.b)), percent(double(n.c), double(n.a)), one / 1e3, two / 1e3, dual / 1e3, percent(dual, one),
-             percent(dual, two));
+  const double dual = double(model::cost_dual(n)), one = double(model::cost_type_1(n)),
+               two = double(model::cost_type_2(n));
+  fmt::print("{:<22} {:>8} {:>8} {:>8} {:>6.1f}% {:>6.1f}% {:>9.0f}k {:>9.0f}k {:>9.0f}k {:>7.1f}% {:>7.1f}%\n", name,
+             n.a, n.b, n.c, percent(double(n.c), double(n.b)), percent(double(n.c), double(n.a)), one / 1e3, two / 1e3,
+             dual / 1e3, percent(dual, one), percent(dual, two));
 }
 
 Json model_json(const model::TriangleCounts& n) {
-  return {{"a", n.a}, {"b", n.b}, {"c", n.c}, {"type_1", model::cost_type_1(n)}, {"type_2", model::cost_type_2(n)},
+  return {{"a", n.a},
+          {"b", n.b},
+          {"c", n.c},
+          {"type_1", model::cost_type_1(n)},
+          {"type_2", model::cost_type_2(n)},
           {"dual", model::cost_dual(n)}};
 }
 
 void repro_b(const Options& options) {
-  fmt::print("Instructions of the geometry stage by the paper's cost model; a: all triangles, b: face the viewer in the frame, c: visible\n\n"
-             "{:<22} {:>8} {:>8} {:>8} {:>7} {:>7} {:>10} {:>10} {:>10} {:>8} {:>8}\n", "320x200", "a", "b", "c", "c/b", "c/a", "type I",
-             "type II", "dual", "/ I", "/ II");
+  fmt::print(
+      "Instructions of the geometry stage by the paper's cost model; a: all triangles, b: face the viewer in the "
+      "frame, c: visible\n\n"
+      "{:<22} {:>8} {:>8} {:>8} {:>7} {:>7} {:>10} {:>10} {:>10} {:>8} {:>8}\n",
+      "320x200", "a", "b", "c", "c/b", "c/a", "type I", "type II", "dual", "/ I", "/ II");
   // As printed: counts of one model, and shares of the other, of which 10,000 triangles are taken.
   constexpr model::TriangleCounts kDolphins{3000, 1451, 1206}, kCastle{10000, 4545, 2000};
   print_model("dolphins, the paper's", kDolphins);
   print_model("castle, the paper's %", kCastle);
-  Json json = {{"paper", "dual pipeline"}, {"printed", {{"dolphins", model_json(kDolphins)}, {"castle", model_json(kCastle)}}},
+  Json json = {{"paper", "dual pipeline"},
+               {"printed", {{"dolphins", model_json(kDolphins)}, {"castle", model_json(kCastle)}}},
                {"measured", Json::array()}};
   std::vector<std::pair<std::string, model::LightingCost>> costs;
   for (const std::string& name : options.scenes) {
     costs.emplace_back(name, model::measure_lighting(ref::load_scene(name), "low", 320, 200));
     print_model(short_name(name), costs.back().second.triangles);
   }
-  fmt::print("\nTime of our geometry stage, ms, one thread; a corner that triangles share is lit once\n\n"
-             "{:<22} {:>10} {:>16} {:>16} {:>22}\n", "320x200", "positions", "lighting all b", "lighting c", "corners lit");
+  fmt::print(
+      "\nTime of our geometry stage, ms, one thread; a corner that triangles share is lit once\n\n"
+      "{:<22} {:>10} {:>16} {:>16} {:>22}\n",
+      "320x200", "positions", "lighting all b", "lighting c", "corners lit");
   for (const auto& [name, cost] : costs) {
-    fmt::print("{:<22} {:>10.3f} {:>16.3f} {:>9.3f} ({:.0f}%) {:>14} of {}\n", short_name(name), cost.positions_ms, cost.light_facing_ms,
-               cost.light_visible_ms, percent(cost.light_visible_ms, cost.light_facing_ms), cost.corners_visible, cost.corners_facing);
+    fmt::print("{:<22} {:>10.3f} {:>16.3f} {:>9.3f} ({:.0f}%) {:>14} of {}\n", short_name(name), cost.positions_ms,
+               cost.light_facing_ms, cost.light_visible_ms, percent(cost.light_visible_ms, cost.light_facing_ms),
+               cost.corners_visible, cost.corners_facing);
     Json row = model_json(cost.triangles);
     row["scene"] = name;
     row["positions_ms"] = cost.positions_ms;
@@ -229,11 +265,14 @@ void repro_b(const Options& options) {
 void add_repro(CLI::App& app, int&) {
   CLI::App* command = app.add_subcommand("repro", "the tables of a paper, with our numbers beside the printed ones");
   command->require_subcommand(1);
-  command->footer("  halfspace repro A                     index rendering: lightings, buffers and bandwidth of four architectures\n"
-                  "  halfspace repro B castle model.glb    dual pipeline: instructions and time that deferred lighting saves\n"
-                  "  halfspace repro C gouraud --frames 31  frame-rate up-conversion: PSNR of frames that are made, ten animations\n"
-                  "  halfspace repro E                     static objects buffer: 180 M triangles, of which few objects move\n"
-                  "docs/repro.md says what the numbers are.\n");
+  command->footer(
+      "  halfspace repro A                     index rendering: lightings, buffers and bandwidth of four "
+      "architectures\n"
+      "  halfspace repro B castle model.glb    dual pipeline: instructions and time that deferred lighting saves\n"
+      "  halfspace repro C gouraud --frames 31  frame-rate up-conversion: PSNR of frames that are made, ten "
+      "animations\n"
+      "  halfspace repro E                     static objects buffer: 180 M triangles, of which few objects move\n"
+      "docs/repro.md says what the numbers are.\n");
   const auto add = [&](const char* name, const char* what, void (*run)(const Options&)) {
     auto options = std::make_shared<Options>();
     CLI::App* paper = command->add_subcommand(name, what);

@@ -7,10 +7,10 @@
 #include <memory>
 
 #include "cli/commands.hpp"
-#include "cli/plots/gnuplot.hpp"
 #include "cli/common/progress.hpp"
-#include "ref/error.hpp"
+#include "cli/plots/gnuplot.hpp"
 #include "model/formats/configuration.hpp"
+#include "ref/error.hpp"
 #include "study/stability/stability.hpp"
 #include "vectors/staging.hpp"
 
@@ -50,7 +50,7 @@ Json json_of(const std::vector<StabilityPoint>& points, const std::vector<Channe
     for (const Channel& c : channels) {
       for (int m = 0; m < model::kPlaneMethods; ++m) {
         one[c.name][model::plane_method_name(PlaneMethod(m))] = {{"largest_lsb", (p.*c.errors).largest[m]},
-                                                                   {"beyond_half_lsb", (p.*c.errors).beyond[m]}};
+                                                                 {"beyond_half_lsb", (p.*c.errors).beyond[m]}};
       }
     }
     list.push_back(std::move(one));
@@ -65,8 +65,8 @@ std::string csv_of(const StabilityStudy& study, const std::vector<Channel>& chan
       for (const Channel& c : channels) {
         for (int m = 0; m < model::kPlaneMethods; ++m) {
           text += fmt::format("{},{},{},{},{:.3f},{},\"{}\",{:.9g},{}\n", name, p.log2, p.triangles, p.pixels,
-                              p.longest, c.name, model::plane_method_name(PlaneMethod(m)),
-                              (p.*c.errors).largest[m], (p.*c.errors).beyond[m]);
+                              p.longest, c.name, model::plane_method_name(PlaneMethod(m)), (p.*c.errors).largest[m],
+                              (p.*c.errors).beyond[m]);
         }
       }
     }
@@ -102,8 +102,8 @@ std::string plot_script(const std::string& picture, const std::string& title, co
   constexpr const char* kStyles[model::kPlaneMethods] = {
       "lc rgb '#0b5fa5' lw 3 pt 7 ps 0.7", "lc rgb '#c0392b' lw 1.5 pt 4 ps 0.7", "lc rgb '#e08e0b' lw 1.5 pt 6 ps 0.7",
       "lc rgb '#7f8c8d' lw 1.5 pt 2 ps 0.6"};
-  constexpr PlaneMethod kFrontLast[] = {model::kFloatFromOrigin, model::kFloatFromVertex,
-                                        model::kSaturatedGradients, model::kKernelPlane};
+  constexpr PlaneMethod kFrontLast[] = {model::kFloatFromOrigin, model::kFloatFromVertex, model::kSaturatedGradients,
+                                        model::kKernelPlane};
   std::string script = fmt::format(
       "set terminal pngcairo size {},600 font 'sans,11' background rgb 'white'\nset output {}\n"
       "set multiplot layout 1,{} title {} font ',14' margins 0.075,0.98,0.24,0.86 spacing 0.09,0\n"
@@ -129,8 +129,10 @@ std::string plot_script(const std::string& picture, const std::string& title, co
       plots += fmt::format("$data{} using 1:{} with linespoints {} title '{}', \\\n", n, m + 2, kStyles[m],
                            model::plane_method_name(m));
     }
-    script += fmt::format("plot {}{} with lines dt 2 lw 2 lc rgb '#0b5fa5' title 'proved bound of the kernels', \\\n"
-                          "0.5 with lines dt 3 lw 1.5 lc rgb 'black' title '½ LSB'\nunset key\n", plots, c.bound);
+    script += fmt::format(
+        "plot {}{} with lines dt 2 lw 2 lc rgb '#0b5fa5' title 'proved bound of the kernels', \\\n"
+        "0.5 with lines dt 3 lw 1.5 lc rgb 'black' title '½ LSB'\nunset key\n",
+        plots, c.bound);
   }
   return script + "unset multiplot\n";
 }
@@ -174,8 +176,10 @@ void study_stability(const Options& options) {
   staged.write("stability.json", json.dump(1) + "\n");
   staged.commit();
   if (!gnuplot_is_installed()) {
-    throw ref::Error(fmt::format("gnuplot is not installed, so there are no pictures; the numbers are in {}: install "
-                                 "gnuplot-nox", options.out));
+    throw ref::Error(
+        fmt::format("gnuplot is not installed, so there are no pictures; the numbers are in {}: install "
+                    "gnuplot-nox",
+                    options.out));
   }
   const std::string aspect = staged.path("stability_aspect.png"), size = staged.path("stability_size.png");
   const std::string title = "Configuration " + configuration.name() + ": error of planes before rounding, by ";

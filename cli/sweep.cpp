@@ -106,8 +106,8 @@ void add_sweep(CLI::App& app, int& status) {
   command->add_option("--out", input.out, "folder to write")->capture_default_str();
   command->add_option("--jobs", options->jobs, "points at a time")->capture_default_str()->check(CLI::Range(1, 256));
   auto* list = command->add_flag("--list", options->list, "print the points and stop");
-  auto* point = command->add_option("--point", options->point, "compute this point of the list and stop")
-                    ->check(above_zero());
+  auto* point =
+      command->add_option("--point", options->point, "compute this point of the list and stop")->check(above_zero());
   command->add_flag("--merge", options->merge, "tables and plots of points that are there")
       ->excludes(list)
       ->excludes(point);

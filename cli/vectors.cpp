@@ -8,13 +8,13 @@
 #include "cli/common/numbers.hpp"
 #include "cli/common/progress.hpp"
 #include "cli/common/scene_input.hpp"
-#include "ref/error.hpp"
+#include "model/drivers/up_convert.hpp"
 #include "model/pipeline/engine.hpp"
-#include "vectors/extremes.hpp"
+#include "ref/error.hpp"
 #include "vectors/awkward_normals.hpp"
+#include "vectors/extremes.hpp"
 #include "vectors/standard_set.hpp"
 #include "vectors/static_sequence.hpp"
-#include "model/drivers/up_convert.hpp"
 #include "vectors/vector_set.hpp"
 
 namespace halfspace::cli {
@@ -40,7 +40,8 @@ void add_normals(const Options& options, const model::Configuration& configurati
     frames[n].lighting = model::awkward_normals(frames[n].scene.triangles.size(), config, options.seed + n);
   }
   if (corners) {
-    std::vector<model::NamedFrame> first = model::normal_frames(model::raster_format(configuration), config, options.seed);
+    std::vector<model::NamedFrame> first =
+        model::normal_frames(model::raster_format(configuration), config, options.seed);
     frames.insert(frames.begin(), std::make_move_iterator(first.begin()), std::make_move_iterator(first.end()));
   }
 }
@@ -58,14 +59,17 @@ void tell(const Options& options, const model::Configuration& configuration, con
 model::NamedCompensation compensation_of(const Options& options, const model::Configuration& configuration) {
   const Config config = configuration.config();
   const auto times = interval_of(options.input);
-  const FrameSize size = options.input.size.empty() ? FrameSize{config.width, config.height} : parse_size(options.input.size);
+  const FrameSize size =
+      options.input.size.empty() ? FrameSize{config.width, config.height} : parse_size(options.input.size);
   if (size.width % config.samples != 0 || size.height % config.samples != 0) {
-    throw ref::Error(fmt::format("--size {}: a pixel of a key frame is {} each way of those: take multiples", options.input.size, config.samples));
+    throw ref::Error(fmt::format("--size {}: a pixel of a key frame is {} each way of those: take multiples",
+                                 options.input.size, config.samples));
   }
-  model::KernelUpConverter converter(
-      {size.width / config.samples, size.height / config.samples, model::colour_configuration(configuration), configuration});
+  model::KernelUpConverter converter({size.width / config.samples, size.height / config.samples,
+                                      model::colour_configuration(configuration), configuration});
   converter.set_keys(ref::load_scene(options.input.scene, times[0]), ref::load_scene(options.input.scene, times[1]));
-  converter.at(ref::load_scene(options.input.scene, options.input.time), (options.input.time - times[0]) / (times[1] - times[0]));
+  converter.at(ref::load_scene(options.input.scene, options.input.time),
+               (options.input.time - times[0]) / (times[1] - times[0]));
   const model::CompensationInput& in = converter.input();
   return {options.input.scene, in.width, in.height, {*in.key[0], *in.key[1]}, in.motion, in.weight};
 }
@@ -83,18 +87,20 @@ void write_compensation(const Options& options, const model::Configuration& conf
   const model::VectorSetOptions set = set_of(options, configuration);
   Progress progress("vectors " + set.scene);
   tell(options, configuration,
-       model::write_compensation_set(options.out, set,
-                                       options.compensation ? std::vector<model::NamedCompensation>{compensation_of(options, configuration)}
-                                                            : model::compensation_frames(configuration.config(), options.seed),
-                                       [&](std::size_t done, std::size_t total) { progress.tell(done, total); }));
+       model::write_compensation_set(
+           options.out, set,
+           options.compensation ? std::vector<model::NamedCompensation>{compensation_of(options, configuration)}
+                                : model::compensation_frames(configuration.config(), options.seed),
+           [&](std::size_t done, std::size_t total) { progress.tell(done, total); }));
 }
 
 void write_merge(const Options& options, const model::Configuration& configuration) {
   const model::VectorSetOptions set = set_of(options, configuration);
   model::Merger(configuration, set.lanes);  // refuses a configuration without objects
   Progress progress("vectors merge");
-  tell(options, configuration, model::write_merge_set(options.out, set, model::merge_frames(configuration.config(), options.seed),
-                                                        [&](std::size_t done, std::size_t total) { progress.tell(done, total); }));
+  tell(options, configuration,
+       model::write_merge_set(options.out, set, model::merge_frames(configuration.config(), options.seed),
+                              [&](std::size_t done, std::size_t total) { progress.tell(done, total); }));
 }
 
 // Two sets: the passes of a sequence at the ports of hs_pipeline, and the runs of ztest_merge.
@@ -105,7 +111,8 @@ void write_static(const Options& options, const model::Configuration& configurat
   of_passes.window = options.input.window;
   const FrameSize size = parse_size(options.input.size.empty() ? "20x16" : options.input.size);
   const model::StaticSequence sequence = model::static_sequence(
-      {configuration, of_passes.lanes, size.width, size.height, options.buffers, options.query, of_passes.window}, options.objects, options.frames, options.seed);
+      {configuration, of_passes.lanes, size.width, size.height, options.buffers, options.query, of_passes.window},
+      options.objects, options.frames, options.seed);
   Progress progress("vectors static");
   const auto told = [&](std::size_t done, std::size_t total) { progress.tell(done, total); };
   Options part = options;
@@ -117,7 +124,8 @@ void write_static(const Options& options, const model::Configuration& configurat
 
 void write_vectors(const Options& options) {
   std::vector<model::NamedFrame> frames;
-  model::Configuration configuration = model::find_configuration(options.input.config.empty() ? "middle" : options.input.config);
+  model::Configuration configuration =
+      model::find_configuration(options.input.config.empty() ? "middle" : options.input.config);
   if (options.input.scene == "merge") return write_merge(options, configuration);
   if (options.input.scene == "static") return write_static(options, configuration);
   if (options.input.scene == "compensation" || options.compensation) return write_compensation(options, configuration);
@@ -147,7 +155,8 @@ void write_vectors(const Options& options) {
   if (has_texture(configuration.config())) {
     for (std::size_t n = 0; n < frames.size(); ++n) {
       if (!frames[n].texture.triangles.empty()) continue;  // the scene's
-      frames[n].texture = model::awkward_coordinates(frames[n].scene.triangles.size(), configuration.config(), options.seed + n);
+      frames[n].texture =
+          model::awkward_coordinates(frames[n].scene.triangles.size(), configuration.config(), options.seed + n);
     }
   }
 
@@ -174,9 +183,12 @@ void add_vectors(CLI::App& app, int&) {
   CLI::App* command = app.add_subcommand("vectors", "write the words of every stream between two units");
   command->footer(
       "Annotated corner cases come first, then random frames, then the frame of SCENE; `standard` as SCENE stands\n"
-      "for the first two alone, `largest` for the largest frame and the last index, `compensation` for the unit of that\n"
-      "name in a configuration with motion, `merge` for the one that merges buffers in a configuration with objects. `static`\n"
-      "writes two sets, OUT/pipeline and OUT/merge: a random sequence of the static objects buffer, of 20x16 pixels if no size is\n"
+      "for the first two alone, `largest` for the largest frame and the last index, `compensation` for the unit of "
+      "that\n"
+      "name in a configuration with motion, `merge` for the one that merges buffers in a configuration with objects. "
+      "`static`\n"
+      "writes two sets, OUT/pipeline and OUT/merge: a random sequence of the static objects buffer, of 20x16 pixels if "
+      "no size is\n"
       "given. Each stream is a text file that $readmemh reads; manifest.json tells the fields.\n");
   add_scene_options(command, options->input);
   command->add_option("--lanes", options->lanes, "pixels a stamp: 1, 2, 4, 8, 16; default: the configuration's");
@@ -187,12 +199,19 @@ void add_vectors(CLI::App& app, int&) {
   command->add_option("--random-triangles", options->random_triangles, "triangles of a random frame")
       ->capture_default_str()
       ->check(zero_or_more());
-  command->add_option("--window", options->input.window, "use indices of invisible triangles again: a triangle takes that of the one so many before it")
+  command
+      ->add_option("--window", options->input.window,
+                   "use indices of invisible triangles again: a triangle takes that of the one so many before it")
       ->check(zero_or_more());
-  command->add_flag("--compensation", options->compensation, "the streams of motion_compensate, for a frame of SCENE between the keys of --interval");
+  command->add_flag("--compensation", options->compensation,
+                    "the streams of motion_compensate, for a frame of SCENE between the keys of --interval");
   command->add_option("--frames", options->frames, "of `static`")->capture_default_str()->check(above_zero());
-  command->add_option("--objects", options->objects, "of `static`, and one more")->capture_default_str()->check(CLI::Range(1, 16));
-  command->add_option("--buffers", options->buffers, "of `static`: S-buffers")->capture_default_str()->check(above_zero());
+  command->add_option("--objects", options->objects, "of `static`, and one more")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 16));
+  command->add_option("--buffers", options->buffers, "of `static`: S-buffers")
+      ->capture_default_str()
+      ->check(above_zero());
   command->add_flag("--query,!--no-query", options->query, "of `static`: an S-buffer is asked before it is changed");
   command->add_option("--json", options->json, "file for a copy of the manifest");
   command->callback([options] { write_vectors(*options); });

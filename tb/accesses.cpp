@@ -43,9 +43,11 @@ class Different {
   std::vector<std::uint64_t> seen_;
 };
 
-// Type γ fetches the planes of the triangles that are stored under the fragments of a stamp: the I-buffer is drawn again, stamp by
-// stamp. The update of a stamp, if there is one, is the next of the same triangle and place; an invisible triangle has none.
-std::uint64_t fetched_planes(const Vectors& vectors, const Received& stamp, const Received& update, const Received& visible) {
+// Type γ fetches the planes of the triangles that are stored under the fragments of a stamp: the I-buffer is drawn
+// again, stamp by stamp. The update of a stamp, if there is one, is the next of the same triangle and place; an
+// invisible triangle has none.
+std::uint64_t fetched_planes(const Vectors& vectors, const Received& stamp, const Received& update,
+                             const Received& visible) {
   const Frame& frame = vectors.frames.back();
   const std::size_t stamps_x = (frame.width + vectors.lanes_x - 1) / vectors.lanes_x;
   const std::size_t stamps_y = (frame.height + vectors.lanes_y - 1) / vectors.lanes_y;
@@ -62,8 +64,9 @@ std::uint64_t fetched_planes(const Vectors& vectors, const Received& stamp, cons
       if (mask.raw(stamp.words[n], lane)) different.add(stored[lane]);
     }
     fetched += different.take();
-    if (stored && triangle < visible.size() && visible.raw(triangle, "visible") && next < update.size() && update.raw(next, "x") == x &&
-        update.raw(next, "y") == y && update.raw(next, "index") == stamp.raw(n, "index")) {
+    if (stored && triangle < visible.size() && visible.raw(triangle, "visible") && next < update.size() &&
+        update.raw(next, "x") == x && update.raw(next, "y") == y &&
+        update.raw(next, "index") == stamp.raw(n, "index")) {
       for (int lane = 0; lane < lanes; ++lane) {
         if (passed.raw(update.words[next], lane)) stored[lane] = update.raw(next, "index");
       }
@@ -83,7 +86,8 @@ std::uint64_t content_bits(const Stream& stream, std::initializer_list<const cha
 
 }  // namespace
 
-std::vector<Accesses> count_accesses(const Vectors& vectors, const std::map<std::string, Words>& received, const Largest& largest) {
+std::vector<Accesses> count_accesses(const Vectors& vectors, const std::map<std::string, Words>& received,
+                                     const Largest& largest) {
   const bool moves = vectors.find("motion_planes") != nullptr;
   const char* const planes_name = moves ? "motion_planes" : "planes";
   for (const char* name : {"stamp", "update", "visible", "scan", planes_name}) {
@@ -97,7 +101,9 @@ std::vector<Accesses> count_accesses(const Vectors& vectors, const std::map<std:
   const Received stamp = all("stamp"), update = all("update"), visible = all("visible"), scan = all("scan");
   const Received planes = all(planes_name);
   const std::uint64_t lanes = vectors.lanes(), fragments = stamp.set("mask"), passed = update.set("mask");
-  const auto whole = [](std::uint64_t size, int stamp_size) { return (size + stamp_size - 1) / stamp_size * stamp_size; };
+  const auto whole = [](std::uint64_t size, int stamp_size) {
+    return (size + stamp_size - 1) / stamp_size * stamp_size;
+  };
   const std::uint64_t pixels = whole(largest.width, vectors.lanes_x) * whole(largest.height, vectors.lanes_y);
   std::uint64_t triangles = 1;
   while (triangles < largest.triangles) triangles *= 2;
@@ -130,16 +136,19 @@ std::vector<Accesses> count_accesses(const Vectors& vectors, const std::map<std:
     }
     entries += different.take();
   }
-  add({"index_buffer", std::uint64_t(index.width), fragments + shown, passed + shown, (stamp.size() + scan.size()) * lanes,
-       passed + scan.size() * lanes}, 2 * pixels);
+  add({"index_buffer", std::uint64_t(index.width), fragments + shown, passed + shown,
+       (stamp.size() + scan.size()) * lanes, passed + scan.size() * lanes},
+      2 * pixels);
 
   if (const Stream* const depths = vectors.find("triangle_depth")) {
     const std::uint64_t fetched = fetched_planes(vectors, stamp, update, visible), stored = visible.set("visible");
-    add({"visibility_database", content_bits(*depths, {"index", "x", "y"}), fetched, stored, fetched, stored}, triangles);
+    add({"visibility_database", content_bits(*depths, {"index", "x", "y"}), fetched, stored, fetched, stored},
+        triangles);
   }
   const std::uint64_t stored = planes.size() - planes.set("empty");
   add({"shading_database", content_bits(planes.stream, {"last", "empty", "index"}), entries, stored,
-       moves || planes.stream.find("material") ? covered : entries, stored}, 2 * triangles);  // shade_phong and motion_field read it for each pixel
+       moves || planes.stream.find("material") ? covered : entries, stored},
+      2 * triangles);  // shade_phong and motion_field read it for each pixel
   if (numbered) {
     const std::uint64_t came = visible.set("index");  // 0: a frame without triangles
     add({"object_table", std::uint64_t(numbered->width), entries, came, entries, came}, 2 * triangles);

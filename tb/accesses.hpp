@@ -27,7 +27,8 @@ struct Largest {
   std::uint64_t width, height, triangles;
 };
 // Of each buffer that the set's configuration has; of a set that lacks one of the streams that tell them, nothing.
-std::vector<Accesses> count_accesses(const Vectors& vectors, const std::map<std::string, Words>& received, const Largest& largest);
+std::vector<Accesses> count_accesses(const Vectors& vectors, const std::map<std::string, Words>& received,
+                                     const Largest& largest);
 
 }  // namespace halfspace::tb
 

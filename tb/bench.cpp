@@ -17,8 +17,7 @@ std::size_t Result::mismatches() const {
   return sum;
 }
 
-Bench::Bench(Model* model, const Vectors* vectors, const Options* options, std::string prefix,
-             const std::string& clock)
+Bench::Bench(Model* model, const Vectors* vectors, const Options* options, std::string prefix, const std::string& clock)
     : model_(model),
       vectors_(vectors),
       options_(options),

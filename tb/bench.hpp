@@ -25,7 +25,8 @@ struct StreamResult {
   std::size_t words = 0, mismatches = 0;
 };
 
-// max(setup, stamps, pixels) cycles, pixels being what the shader takes, is what the units' own rates allow for a frame; setup 0: not known.
+// max(setup, stamps, pixels) cycles, pixels being what the shader takes, is what the units' own rates allow for a
+// frame; setup 0: not known.
 struct Bound {
   std::uint64_t setup = 0, stamps = 0, pixels = 0;
   std::uint64_t cycles() const { return std::max({setup, stamps, pixels}); }

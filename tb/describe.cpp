@@ -64,9 +64,7 @@ std::string triangle_text(const WordPlace& place, int lane) {
 
 }  // namespace
 
-std::string describe_stream(const Stream& stream) {
-  return stream.name + " (" + stream.from + " → " + stream.to + ")";
-}
+std::string describe_stream(const Stream& stream) { return stream.name + " (" + stream.from + " → " + stream.to + ")"; }
 
 std::string describe_fields(const Stream& stream, const std::uint32_t* word) {
   std::string text;

@@ -16,8 +16,8 @@ struct Options {
   std::uint64_t hang = 20000;  // cycles without a word that count as a hang
   std::string json;
   // hs_pipeline only:
-  int frames = 2;              // times that the last frame is drawn
-  int setup_interval = 0;      // cycles a triangle; 0: that of the package
+  int frames = 2;          // times that the last frame is drawn
+  int setup_interval = 0;  // cycles a triangle; 0: that of the package
   std::string dump, dump_index;
 };
 

@@ -48,7 +48,8 @@ bool same_words(const Vectors& vectors, const char* name, std::size_t a, std::si
   const Segment first = segment_of(*stream, {a, ""}), second = segment_of(*stream, {b, ""});
   if (first.end - first.begin != second.end - second.begin) return false;
   for (std::size_t n = 0; n < first.end - first.begin; ++n) {
-    if (std::memcmp(stream->words[first.begin + n], stream->words[second.begin + n], stream->words.parts() * 4) != 0) return false;
+    if (std::memcmp(stream->words[first.begin + n], stream->words[second.begin + n], stream->words.parts() * 4) != 0)
+      return false;
   }
   return true;
 }
@@ -56,7 +57,8 @@ bool same_words(const Vectors& vectors, const char* name, std::size_t a, std::si
 // Whether one frame may follow the other without a pause: registers and what is loaded are the same.
 bool may_follow(const Vectors& vectors, std::size_t a, std::size_t b) {
   return same_registers(vectors.frames[a], vectors.frames[b]) &&
-         std::all_of(std::begin(kLoads), std::end(kLoads), [&](const char* name) { return same_words(vectors, name, a, b); });
+         std::all_of(std::begin(kLoads), std::end(kLoads),
+                     [&](const char* name) { return same_words(vectors, name, a, b); });
 }
 
 // What geometry has heard of the triangles, and may send for it.
@@ -80,7 +82,9 @@ Bound bound_of(const Vectors& vectors, const Model& model, int setup_interval) {
   if (const Stream* const scan = vectors.find("scan")) {
     bound.pixels = scan->frame_words[frame];
     // Shaders that take a pixel after the other, and the lights of each; of background one of a stamp.
-    const int turns = model.constant("Phong") ? model.constant("Lights") : model.constant("HasTexture") || model.constant("HasMotion") ? 1 : 0;
+    const int turns = model.constant("Phong")                                       ? model.constant("Lights")
+                      : model.constant("HasTexture") || model.constant("HasMotion") ? 1
+                                                                                    : 0;
     const Field& index = scan->need("index", "the bound of cycles");
     const Segment words = segment_of(*scan, {frame, ""});
     std::uint64_t serial = 0;
@@ -138,8 +142,8 @@ Result run_pipeline(Model* model, const Vectors& vectors, const Options& options
     scans = scans || stream.name == "scan";
   }
   if (triangles == nullptr || pixel == nullptr || !scans) {
-    throw Error(vectors.directory +
-                "/manifest.json: lacks one of the streams triangle, scan and " + end_name + "; make the set again");
+    throw Error(vectors.directory + "/manifest.json: lacks one of the streams triangle, scan and " + end_name +
+                "; make the set again");
   }
 
   if (vectors.window != 0) triangles->hold(&geometry.triangles);
@@ -163,13 +167,16 @@ Result run_pipeline(Model* model, const Vectors& vectors, const Options& options
       last->pixel = Words(vectors.find(end_name)->bits);
       pixel->record_last(&last->pixel);
       for (const auto& [stream, receiver] : receivers) {
-        if (std::find(std::begin(kCountedStreams), std::end(kCountedStreams), stream->name) == std::end(kCountedStreams)) continue;
+        if (std::find(std::begin(kCountedStreams), std::end(kCountedStreams), stream->name) ==
+            std::end(kCountedStreams))
+          continue;
         last->counted[stream->name] = Words(stream->bits);
         receiver->record_last(&last->counted[stream->name]);
       }
     }
     const auto done = [&] { return bench.all_done() && *busy == 0; };
-    if (first == 0) ran = ran && bench.run([&] { return triangles->words() > 0; }, std::max(options.hang, kResetPatience));
+    if (first == 0)
+      ran = ran && bench.run([&] { return triangles->words() > 0; }, std::max(options.hang, kResetPatience));
     ran = ran && bench.run(done, options.hang);
     bench.idle(kPause);
     first = end;
@@ -183,7 +190,8 @@ Result run_pipeline(Model* model, const Vectors& vectors, const Options& options
   result.bound = bound_of(vectors, *model, setup_interval);
   result.rates = count_rates(vectors, last->counted, model->constant("Bilinear") ? 4 : 1);
   const auto number = [&](const char* name) { return std::uint64_t(model->constant(name)); };
-  result.accesses = count_accesses(vectors, last->counted, {number("MaxWidth"), number("MaxHeight"), number("Triangles")});
+  result.accesses =
+      count_accesses(vectors, last->counted, {number("MaxWidth"), number("MaxHeight"), number("Triangles")});
   const std::vector<std::uint64_t>& ends = pixel->end_cycles();
   if (options.frames > 1 && ends.size() == turns.size()) {
     result.cycles = ends.back() - ends[ends.size() - 2];

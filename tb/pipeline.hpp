@@ -12,7 +12,7 @@ namespace halfspace::tb {
 
 // What the RTL sent for the last frame, to make pictures from.
 struct LastFrame {
-  Words pixel;  // of motion where there are no pixels
+  Words pixel;                           // of motion where there are no pixels
   std::map<std::string, Words> counted;  // by stream, those of count_rates; scan among them
 };
 

@@ -3,12 +3,14 @@
 
 namespace halfspace::tb {
 
-const char* const kCountedStreams[8] = {"visible", "stamp", "update", "scan", "planes", "colours", "texture_planes", "motion_planes"};
+const char* const kCountedStreams[8] = {"visible", "stamp",   "update",         "scan",
+                                        "planes",  "colours", "texture_planes", "motion_planes"};
 
 namespace {
 
 // Lanes in which the field is not 0, over all words.
-std::uint64_t lanes_set(const Vectors& vectors, const std::map<std::string, Words>& received, const char* stream, const char* field) {
+std::uint64_t lanes_set(const Vectors& vectors, const std::map<std::string, Words>& received, const char* stream,
+                        const char* field) {
   const auto words = received.find(stream);
   if (words == received.end()) return 0;
   const Field& lanes = vectors.find(stream)->need(field, "the data rates");
@@ -23,7 +25,9 @@ std::uint64_t lanes_set(const Vectors& vectors, const std::map<std::string, Word
 std::uint64_t textured_pixels(const Vectors& vectors, const std::map<std::string, Words>& received) {
   const auto planes = received.find("texture_planes"), scan = received.find("scan");
   if (planes == received.end() || scan == received.end()) return 0;
-  const auto field = [&](const char* stream, const char* name) -> const Field& { return vectors.find(stream)->need(name, "the data rates"); };
+  const auto field = [&](const char* stream, const char* name) -> const Field& {
+    return vectors.find(stream)->need(name, "the data rates");
+  };
   std::map<std::uint64_t, bool> has_texture;
   for (std::size_t n = 0; n < planes->second.size(); ++n) {
     const std::uint32_t* const word = planes->second[n];

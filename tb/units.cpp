@@ -40,21 +40,28 @@ const Unit kUnits[] = {
     {"shade_texture", "shade_texture_", {"scan", "lit"}, {"pixel"}, {"texture", "texel", "texture_planes"}, false},
     {"motion_setup", "motion_setup_", {"visible_attributes", "motion_vectors"}, {"motion_planes"}, {}, false},
     {"motion_field", "motion_field_", {"scan"}, {"motion"}, {"motion_planes"}, false},
-    {"motion_compensate", "motion_compensate_", {"motion", "key_block_0", "key_block_1"}, {"key_request_0", "key_request_1", "compensated"}, {"key_weight"}, false},
+    {"motion_compensate",
+     "motion_compensate_",
+     {"motion", "key_block_0", "key_block_1"},
+     {"key_request_0", "key_request_1", "compensated"},
+     {"key_weight"},
+     false},
     {"ztest_merge", "ztest_merge_", {"merge", "stored", "entry"}, {"merged", "found"}, {}, false, true},
 };
 
-// The units of the configuration that a vector set is of: its streams tell which Z-test it has, and a stream that it has not
-// is none of theirs.
+// The units of the configuration that a vector set is of: its streams tell which Z-test it has, and a stream that it
+// has not is none of theirs.
 std::vector<Unit> units_of(const Vectors& vectors) {
   const bool tests_planes = vectors.find("triangle_depth") != nullptr;
   std::vector<Unit> units;
   for (const Unit& unit : kUnits) {
     if (std::strcmp(unit.name, tests_planes ? "ztest_index" : "ztest_plane") == 0) continue;
     units.push_back(unit);
-    if (std::strcmp(unit.name, "shade_setup") == 0 && vectors.find("colours")) units.back().sends = {"visible_attributes", "colours"};
+    if (std::strcmp(unit.name, "shade_setup") == 0 && vectors.find("colours"))
+      units.back().sends = {"visible_attributes", "colours"};
     auto& expects = units.back().expects;
-    if (!tests_planes) expects.erase(std::remove(expects.begin(), expects.end(), std::string("triangle_depth")), expects.end());
+    if (!tests_planes)
+      expects.erase(std::remove(expects.begin(), expects.end(), std::string("triangle_depth")), expects.end());
   }
   return units;
 }

@@ -17,7 +17,8 @@ std::vector<std::string> unit_names(const Model&, const Vectors&);
 std::vector<std::string> unit_streams(const std::string& unit, const Vectors&);
 
 // Frame by frame: registers, what the unit finds in its buffers, then its words; a frame ends when all its words were
-// taken and seen, and a pause catches words that are too many. Frames of a unit without such registers follow each other at once.
+// taken and seen, and a pause catches words that are too many. Frames of a unit without such registers follow each
+// other at once.
 Result run_unit(const std::string& unit, Model* model, const Vectors& vectors, const Options& options);
 
 }  // namespace halfspace::tb

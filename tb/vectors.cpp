@@ -91,8 +91,9 @@ Stream read_stream(const Place& place, std::size_t frames) {
     stream.frame_words.push_back(std::size_t(item.integer(0, kMostWords)));
   }
   if (stream.frame_words.size() != frames) {
-    place.at("frame_words").fail("has " + std::to_string(stream.frame_words.size()) + " entries for " +
-                                 std::to_string(frames) + " frames");
+    place.at("frame_words")
+        .fail("has " + std::to_string(stream.frame_words.size()) + " entries for " + std::to_string(frames) +
+              " frames");
   }
   const std::size_t words = std::size_t(place.at("words").integer(0, kMostWords));
   const std::size_t sum = std::accumulate(stream.frame_words.begin(), stream.frame_words.end(), std::size_t(0));

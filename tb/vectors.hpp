@@ -57,13 +57,15 @@ inline bool same_registers(const Frame& a, const Frame& b) {
 struct Vectors {
   std::string directory, scene, config;
   int lanes_x = 0, lanes_y = 0;
-  std::size_t window = 0;  // not 0: a triangle may take the index of the one so many before it, and waits until that is done
+  std::size_t window =
+      0;  // not 0: a triangle may take the index of the one so many before it, and waits until that is done
   std::vector<Frame> frames;
   std::vector<Stream> streams;
 
   int lanes() const { return lanes_x * lanes_y; }
   const Stream* find(const std::string& name) const;
-  // The stream that comes out at the end of the pipeline: pixel, of a configuration with objects entry, between key frames motion.
+  // The stream that comes out at the end of the pipeline: pixel, of a configuration with objects entry, between key
+  // frames motion.
   const char* shown() const { return find("motion") ? "motion" : find("entry") ? "entry" : "pixel"; }
 };
 

@@ -40,13 +40,15 @@ LightingFrame awkward_normals(std::size_t triangles, const Config& config, std::
 
 std::vector<NamedFrame> normal_frames(const ref::RasterFormat& format, const Config& config, std::uint64_t seed) {
   constexpr int kCell = 3;  // pixels each way
-  const int columns = std::max(std::min(format.width, 96) / kCell, 1), rows = std::max(std::min(format.height, 96) / kCell, 1);
+  const int columns = std::max(std::min(format.width, 96) / kCell, 1),
+            rows = std::max(std::min(format.height, 96) / kCell, 1);
   const std::size_t most = std::size_t(std::min(columns * rows, format.triangles));
   std::vector<NamedFrame> frames;
   for (const LightingFrame& all : lighting_frames(config, seed)) {
     for (std::size_t from = 0; from < all.triangles.size(); from += most) {
       LightingFrame part = all;
-      part.triangles.assign(all.triangles.begin() + long(from), all.triangles.begin() + long(std::min(from + most, all.triangles.size())));
+      part.triangles.assign(all.triangles.begin() + long(from),
+                            all.triangles.begin() + long(std::min(from + most, all.triangles.size())));
       FrameBuilder b(format, columns * kCell, rows * kCell);
       const int one = b.one();
       for (std::size_t k = 0; k < part.triangles.size(); ++k) {

@@ -11,8 +11,9 @@
 
 namespace halfspace::model {
 
-// For `triangles` triangles, from `seed`: lights and materials of one of lighting_frames(), and normals of all kinds in turn: its
-// own, opposite ones, which interpolate to zero, ones at either end of the range, and ones that hardly differ.
+// For `triangles` triangles, from `seed`: lights and materials of one of lighting_frames(), and normals of all kinds in
+// turn: its own, opposite ones, which interpolate to zero, ones at either end of the range, and ones that hardly
+// differ.
 LightingFrame awkward_normals(std::size_t triangles, const Config& config, std::uint64_t seed);
 
 // Frames that show the normals of lighting_frames(), one small triangle for three of them.

@@ -31,7 +31,8 @@ std::string file_bytes(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream bytes;
   bytes << file.rdbuf();
-  if (!file) throw ref::Error(fmt::format("{}: cannot read it: give a folder that halfspace has written", path.string()));
+  if (!file)
+    throw ref::Error(fmt::format("{}: cannot read it: give a folder that halfspace has written", path.string()));
   return bytes.str();
 }
 
@@ -116,8 +117,8 @@ void write_dump(const std::string& folder, const ref::SnappedList& scene, const 
   staged.write("depth.u32", bytes_of(frame.depth));
   staged.write("colour.rgba8", bytes_of(frame.colour));
   std::ostringstream triangles;
-  // Other tools read this file: a size and triangles, no line of ours for the background, and no flat shading but by equal
-  // colours.
+  // Other tools read this file: a size and triangles, no line of ours for the background, and no flat shading but by
+  // equal colours.
   ref::TriangleList list = ref::unsnap(scene);
   list.background = {0, 0, 0};
   if (scene.format.flat) {
@@ -134,9 +135,10 @@ std::vector<Difference> compare_folders(const std::string& a, const std::string&
   const fs::path left(a), right(b);
   for (const fs::path& folder : {left, right}) {
     if (!fs::exists(folder / "index.u32") && !fs::exists(folder / "manifest.json")) {
-      throw ref::Error(fmt::format("{}: neither a dump nor a vector set: give a folder that `halfspace render --dump` "
-                                   "or `halfspace vectors` has written",
-                                   folder.string()));
+      throw ref::Error(
+          fmt::format("{}: neither a dump nor a vector set: give a folder that `halfspace render --dump` "
+                      "or `halfspace vectors` has written",
+                      folder.string()));
     }
   }
   const bool dumps = fs::exists(left / "index.u32");

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "ref/raster/raster.hpp"
 #include "ref/geometry/snap.hpp"
+#include "ref/raster/raster.hpp"
 
 namespace halfspace::model {
 
@@ -20,10 +20,10 @@ void write_dump(const std::string& folder, const ref::SnappedList& scene, const 
 // One part of two dumps (a buffer) or of two vector sets (a stream), held against each other.
 struct Difference {
   std::string part;
-  std::uint64_t values = 0;    // compared
+  std::uint64_t values = 0;  // compared
   std::uint64_t different = 0;
-  std::int64_t largest = 0;    // of |a − b|, LSB; dumps only
-  std::string first;           // where, and both values; empty when equal
+  std::int64_t largest = 0;  // of |a − b|, LSB; dumps only
+  std::string first;         // where, and both values; empty when equal
 };
 
 // Both folders are dumps or both are vector sets, of the same size. Throws ref::Error when they are not.

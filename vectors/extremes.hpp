@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numerical extremes: frames that need every bit of every width in hls/formats/formats.hpp, for any configuration. The note
-// of a frame says which.
+// The numerical extremes: frames that need every bit of every width in hls/formats/formats.hpp, for any configuration.
+// The note of a frame says which.
 #ifndef HALFSPACE_VECTORS_EXTREMES_HPP_
 #define HALFSPACE_VECTORS_EXTREMES_HPP_
 

@@ -56,8 +56,10 @@ std::vector<NamedFrame> frame_size_frames(const RasterFormat& format) {
     b.add({b.high(), b.low()}, {b.high(), b.high()}, {b.low(), 0}).depth(full / 2, full / 2, full / 8);
     b.add({last - 1, 0}, {last + 2, 0}, {last, b.one()}).depth(0, 1, 2);
     b.add({0, 0}, {b.one(), 0}, {0, b.one()}).depth(2, 1, 0);
-    push_frame(frames, fmt::format("extreme: frame of the largest {0} and one pixel: {1} = {2} − 1, the longest walk",
-                                   turned ? "height" : "width", turned ? "y" : "x", length), b);
+    push_frame(frames,
+               fmt::format("extreme: frame of the largest {0} and one pixel: {1} = {2} − 1, the longest walk",
+                           turned ? "height" : "width", turned ? "y" : "x", length),
+               b);
   }
   return frames;
 }

@@ -44,8 +44,8 @@ std::vector<NamedFrame> smallest_area_frames(const RasterFormat& format) {
         b.add({x - side * (m - 1), steep - m}, {x, steep}, {x + side * (n - 1), steep + n});
       }
     }
-    push_frame(frames,
-               "extreme: D = 1, 2, 3, 4 across the guard band, a vertex on a centre: the largest aspect ratio", b);
+    push_frame(frames, "extreme: D = 1, 2, 3, 4 across the guard band, a vertex on a centre: the largest aspect ratio",
+               b);
   }
   return frames;
 }
@@ -60,8 +60,8 @@ std::vector<NamedFrame> centre_frames(const RasterFormat& format) {
       const Point from = rim[n], to = rim[(n + 1) % 8];
       b.add(hub, {b.centre(from.x), b.centre(from.y)}, {b.centre(to.x), b.centre(to.y)});
     }
-    push_frame(frames,
-               "extreme: eight triangles around a vertex on a centre, all vertices on centres: one covers it", b);
+    push_frame(frames, "extreme: eight triangles around a vertex on a centre, all vertices on centres: one covers it",
+               b);
   }
   {
     FrameBuilder b(format, 26, 26);
@@ -117,8 +117,10 @@ std::vector<NamedFrame> sliver_frames(const RasterFormat& format) {
         b.add({from, y - above}, {to, y - above + wide / 2}, {from, y - above + wide});
         b.swing(row % 3, row >= 4);
       }
-      push_frame(frames, fmt::format("extreme: slivers 1 to 3 sub-pixels {} across the {}", turned ? "wide" : "high",
-                                     band ? "guard band" : "largest frame"), b);
+      push_frame(frames,
+                 fmt::format("extreme: slivers 1 to 3 sub-pixels {} across the {}", turned ? "wide" : "high",
+                             band ? "guard band" : "largest frame"),
+                 b);
     }
     // Between corners of the guard band and on x = y, the diagonal through centres.
     FrameBuilder b(format, 40, 40, turned);
@@ -127,8 +129,8 @@ std::vector<NamedFrame> sliver_frames(const RasterFormat& format) {
       b.add({b.low(), b.high()}, {b.high(), b.low() + 50 * wide * b.one()}, {b.low() + wide, b.high()});
       b.add({b.low(), b.low() + 1}, {b.high() - wide, b.high()}, {b.high() - 1, b.high()});
     }
-    push_frame(frames,
-               fmt::format("extreme: slivers between corners of the guard band{}", turned ? ", turned" : ""), b);
+    push_frame(frames, fmt::format("extreme: slivers between corners of the guard band{}", turned ? ", turned" : ""),
+               b);
     FrameBuilder needles(format, 32, 32, turned);
     for (int i = 0; i < 8; ++i) {
       const int y = 3 * needles.one() * i + needles.half();
@@ -164,7 +166,9 @@ std::vector<NamedFrame> guard_band_frames(const RasterFormat& format) {
         b.add({b.low(), from}, {b.high(), from}, {b.centre(6), to}).swing(vertex, inverse);
         push_frame(frames,
                    fmt::format("extreme: the {} side of the guard band: |dx| = S, D = S², s = 2c − 1, E > 2^(2c−1), "
-                               "|N| = (2^b − 1)·S", kSides[side]), b);
+                               "|N| = (2^b − 1)·S",
+                               kSides[side]),
+                   b);
       }
     }
   }
@@ -174,7 +178,7 @@ std::vector<NamedFrame> guard_band_frames(const RasterFormat& format) {
 std::vector<NamedFrame> order_frames(const RasterFormat& format) {
   std::vector<NamedFrame> frames;
   constexpr int kOrders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
-  auto add = [&](FrameBuilder& b, const Point (&points)[3], const int (&order)[3]) {
+  auto add = [&](FrameBuilder& b, const Point(&points)[3], const int(&order)[3]) {
     b.add(points[order[0]], points[order[1]], points[order[2]]);
     for (int v = 0; v < 3; ++v) {
       b.back().depth[v] = b.full_depth() / std::uint32_t(2 + order[v]);

@@ -46,7 +46,7 @@ std::vector<NamedFrame> reciprocal_frames(const RasterFormat& format) {
     for (const int more : {-1, 1, 0}) {
       add_area(b, (std::int64_t(1) << k) + more, b.centre(3), b.centre(1));
       const std::uint32_t d = b.full_depth() / 8;
-      more < 0 ? b.depth(6 * d, 7 * d, 6 * d) : more > 0 ? b.depth(3 * d, 4 * d, 5 * d) : b.depth(0, d, 2 * d);
+      more<0 ? b.depth(6 * d, 7 * d, 6 * d) : more> 0 ? b.depth(3 * d, 4 * d, 5 * d) : b.depth(0, d, 2 * d);
     }
     push_frame(frames,
                fmt::format("extreme: D = 2^{0} − 1, 2^{0} + 1, 2^{0}: s = {1} and {0}; R = 2^r exactly", k, k - 1), b);
@@ -87,8 +87,7 @@ std::vector<NamedFrame> gradient_frames(const RasterFormat& format) {
         b.add({x, -2 * b.one()}, {x + wide, -2 * b.one()}, {x + 1, 10 * b.one()});
         b.swing(n / 4 % 2 ? 0 : 1, n >= 8);
       }
-      push_frame(frames,
-                 fmt::format("extreme: full scale within 1 to 4 sub-pixels: |{}| above 2^(b+f−2)", along), b);
+      push_frame(frames, fmt::format("extreme: full scale within 1 to 4 sub-pixels: |{}| above 2^(b+f−2)", along), b);
     }
     {
       // The same over the guard band, where distances to vertex 0 are largest as well.
@@ -97,8 +96,7 @@ std::vector<NamedFrame> gradient_frames(const RasterFormat& format) {
         const int x = b.centre(2 * n) - 1, wide = 1 + n % 4;
         b.add({x, b.low()}, {x + wide, b.low()}, {x + 1, b.high()}).swing(n / 4 % 3, n >= 8);
       }
-      push_frame(frames,
-                 fmt::format("extreme: the same over the guard band: the largest {}, farthest away", along), b);
+      push_frame(frames, fmt::format("extreme: the same over the guard band: the largest {}, farthest away", along), b);
     }
     {
       // A gradient of an LSB over the guard band: rounding is all there is.

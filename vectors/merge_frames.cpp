@@ -13,10 +13,7 @@ namespace {
 class Maker {
  public:
   Maker(const Config& config, std::uint64_t seed)
-      : c_(config),
-        most_((1u << config.object_bits) - 1),
-        full_(ref::full_depth(config.depth_bits)),
-        random_(seed) {}
+      : c_(config), most_((1u << config.object_bits) - 1), full_(ref::full_depth(config.depth_bits)), random_(seed) {}
 
   int below(int n) { return int(random_() % std::uint64_t(n)); }
   bool one_in(int n) { return below(n) == 0; }

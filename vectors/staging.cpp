@@ -40,8 +40,7 @@ void StagedFolder::write(const std::string& name, const std::string& bytes) {
   file << bytes;
   file.close();
   if (!file) {
-    throw ref::Error(
-        fmt::format("{}: cannot write it: is the disk full?", (fs::path(folder_) / name).string()));
+    throw ref::Error(fmt::format("{}: cannot write it: is the disk full?", (fs::path(folder_) / name).string()));
   }
 }
 

@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "vectors/merge_frames.hpp"
 #include "model/drivers/static_frames.hpp"
+#include "vectors/merge_frames.hpp"
 
 namespace halfspace::model {
 

@@ -12,8 +12,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "ref/error.hpp"
 #include "model/pipeline/engine.hpp"
+#include "ref/error.hpp"
 #include "vectors/staging.hpp"
 
 namespace halfspace::model {
@@ -25,26 +25,40 @@ struct Ends {
   const char *from, *to, *context;
 };
 const std::map<std::string, Ends> kEnds = {
-    {"triangle", {"geometry", "triangle_setup", ""}},     {"setup", {"triangle_setup", "raster_pineda", ""}},
-    {"attributes", {"triangle_setup", "shade_setup", ""}}, {"planes", {"shade_setup", "tdbs", ""}},
+    {"triangle", {"geometry", "triangle_setup", ""}},
+    {"setup", {"triangle_setup", "raster_pineda", ""}},
+    {"attributes", {"triangle_setup", "shade_setup", ""}},
+    {"planes", {"shade_setup", "tdbs", ""}},
     {"triangle_depth", {"raster_pineda", "ztest_plane", ""}},
-    {"stamp", {"raster_pineda", "ztest_index", ""}},       {"update", {"ztest_index", "buffers", ""}},
-    {"visible", {"ztest_index", "geometry", ""}},          {"scan", {"scan_index", "shade_gouraud", ""}},
-    {"pixel", {"shade_gouraud", "frame", "scan"}},         {"light", {"host", "light_vertex", ""}},
-    {"material", {"host", "light_vertex", ""}},           {"normals", {"geometry", "light_vertex", ""}},
-    {"colours", {"light_vertex", "shade_setup", ""}},     {"visible_attributes", {"visible_select", "shade_setup", ""}},
-    {"texture", {"host", "shade_texture", ""}},           {"texel", {"host", "shade_texture", ""}},
+    {"stamp", {"raster_pineda", "ztest_index", ""}},
+    {"update", {"ztest_index", "buffers", ""}},
+    {"visible", {"ztest_index", "geometry", ""}},
+    {"scan", {"scan_index", "shade_gouraud", ""}},
+    {"pixel", {"shade_gouraud", "frame", "scan"}},
+    {"light", {"host", "light_vertex", ""}},
+    {"material", {"host", "light_vertex", ""}},
+    {"normals", {"geometry", "light_vertex", ""}},
+    {"colours", {"light_vertex", "shade_setup", ""}},
+    {"visible_attributes", {"visible_select", "shade_setup", ""}},
+    {"texture", {"host", "shade_texture", ""}},
+    {"texel", {"host", "shade_texture", ""}},
     {"texture_coordinates", {"geometry", "texture_setup", ""}},
     {"key_weight", {"host", "motion_compensate", ""}},
-    {"key_request_0", {"motion_compensate", "key_memory", ""}}, {"key_request_1", {"motion_compensate", "key_memory", ""}},
-    {"key_block_0", {"key_memory", "motion_compensate", ""}}, {"key_block_1", {"key_memory", "motion_compensate", ""}},
+    {"key_request_0", {"motion_compensate", "key_memory", ""}},
+    {"key_request_1", {"motion_compensate", "key_memory", ""}},
+    {"key_block_0", {"key_memory", "motion_compensate", ""}},
+    {"key_block_1", {"key_memory", "motion_compensate", ""}},
     {"compensated", {"motion_compensate", "frame", ""}},
-    {"texture_planes", {"texture_setup", "tdbs", ""}},    {"lit", {"shade_gouraud", "shade_texture", "scan"}},
-    {"motion_vectors", {"geometry", "motion_setup", ""}}, {"motion_planes", {"motion_setup", "tdbs", ""}},
+    {"texture_planes", {"texture_setup", "tdbs", ""}},
+    {"lit", {"shade_gouraud", "shade_texture", "scan"}},
+    {"motion_vectors", {"geometry", "motion_setup", ""}},
+    {"motion_planes", {"motion_setup", "tdbs", ""}},
     {"motion", {"motion_field", "motion_compensate", ""}},
     {"entry", {"scan_object", "ztest_merge", "scan"}},
-    {"merge", {"driver", "ztest_merge", ""}}, {"stored", {"s_buffer", "ztest_merge", ""}},
-    {"merged", {"ztest_merge", "frame", ""}}, {"found", {"ztest_merge", "driver", ""}},
+    {"merge", {"driver", "ztest_merge", ""}},
+    {"stored", {"s_buffer", "ztest_merge", ""}},
+    {"merged", {"ztest_merge", "frame", ""}},
+    {"found", {"ztest_merge", "driver", ""}},
 };
 
 // A .hex file and the digest of its text.
@@ -105,9 +119,15 @@ class HexFile {
       const bool of_frame = layout_.stream == "light" || layout_.stream == "material";
       replace("light_vertex", of_frame ? "shade_phong" : "phong_setup");
     }
-    return {{"name", layout_.stream}, {"from", ends.from},  {"to", ends.to},
-            {"file", layout_.stream + ".hex"}, {"bits", layout_.bits}, {"words", total},
-            {"frame_words", frame_words_},     {"sha256", sha256},     {"context", ends.context},
+    return {{"name", layout_.stream},
+            {"from", ends.from},
+            {"to", ends.to},
+            {"file", layout_.stream + ".hex"},
+            {"bits", layout_.bits},
+            {"words", total},
+            {"frame_words", frame_words_},
+            {"sha256", sha256},
+            {"context", ends.context},
             {"fields", fields}};
   }
 
@@ -125,8 +145,8 @@ class HexFile {
   std::vector<std::size_t> frame_words_;
 };
 
-// The files of a set. `described` are the frames' entries in the manifest; `capture` gives the words of frame n to its sink, and adds to
-// its entry what is known only then.
+// The files of a set. `described` are the frames' entries in the manifest; `capture` gives the words of frame n to its
+// sink, and adds to its entry what is known only then.
 std::string write_streams(const std::string& folder, const VectorSetOptions& options, int lanes_x, int lanes_y,
                           const std::vector<Layout>& layouts, Json described,
                           const std::function<void(std::size_t n, Json& entry, const WordSink&)>& capture,
@@ -136,16 +156,17 @@ std::string write_streams(const std::string& folder, const VectorSetOptions& opt
   std::map<std::string, HexFile> files;
   for (const Layout& layout : layouts) {
     files.emplace(layout.stream, HexFile(staged.path(layout.stream + ".hex"), layout, configuration.config()));
-    files.at(layout.stream).comment(fmt::format("{} {} lanes {}: {} bits a word", layout.stream, configuration.name(),
-                                                options.lanes, layout.bits));
+    files.at(layout.stream)
+        .comment(fmt::format("{} {} lanes {}: {} bits a word", layout.stream, configuration.name(), options.lanes,
+                             layout.bits));
   }
   const WordSink sink = [&](const Layout& layout, const Word* words, std::size_t count) {
     files.at(layout.stream).words(words, count);
   };
   for (std::size_t n = 0; n < described.size(); ++n) {
     for (auto& [name, file] : files) {
-      file.comment(fmt::format("frame {}: {}, {}x{}", n, described[n]["note"].get<std::string>(), described[n]["width"].get<int>(),
-                               described[n]["height"].get<int>()));
+      file.comment(fmt::format("frame {}: {}, {}x{}", n, described[n]["note"].get<std::string>(),
+                               described[n]["width"].get<int>(), described[n]["height"].get<int>()));
     }
     capture(n, described[n], sink);
     if (progress) progress(n + 1, described.size());
@@ -170,11 +191,16 @@ std::string write_streams(const std::string& folder, const VectorSetOptions& opt
 
 // The set of a unit that stands alone. describe(json, result) adds what else is told of a frame.
 template <class Unit, class Frame, class Describe>
-std::string write_unit_set(const std::string& folder, const VectorSetOptions& options, const Unit& unit, const std::vector<Frame>& frames,
+std::string write_unit_set(const std::string& folder, const VectorSetOptions& options, const Unit& unit,
+                           const std::vector<Frame>& frames,
                            const std::function<void(std::size_t, std::size_t)>& progress, Describe describe) {
   Json described = Json::array();
   for (const Frame& frame : frames) {
-    described.push_back({{"width", frame.width}, {"height", frame.height}, {"background", {0, 0, 0}}, {"triangles", 0}, {"note", frame.note}});
+    described.push_back({{"width", frame.width},
+                         {"height", frame.height},
+                         {"background", {0, 0, 0}},
+                         {"triangles", 0},
+                         {"note", frame.note}});
   }
   const auto capture = [&](std::size_t n, Json& json, const WordSink& sink) {
     std::vector<StreamWords> streams;
@@ -189,8 +215,9 @@ std::string write_unit_set(const std::string& folder, const VectorSetOptions& op
 
 // Whether a stream comes or goes at a port of hs_pipeline, or is the one that a frame's end is told by.
 bool is_of_ports(const Layout& layout) {
-  static const char* const kPorts[] = {"light",   "material", "texture", "texel", "triangle", "normals", "texture_coordinates", "motion_vectors",
-                                       "visible", "scan",     "motion",  "entry", "pixel"};
+  static const char* const kPorts[] = {
+      "light",          "material", "texture", "texel",  "triangle", "normals", "texture_coordinates",
+      "motion_vectors", "visible",  "scan",    "motion", "entry",    "pixel"};
   return std::any_of(std::begin(kPorts), std::end(kPorts), [&](const char* name) { return layout.stream == name; });
 }
 
@@ -212,14 +239,17 @@ std::string write_vector_set(const std::string& folder, const VectorSetOptions& 
                          {"note", frame.note}});
   }
   std::vector<Layout> layouts = engine->layouts();
-  if (options.ports) layouts.erase(std::remove_if(layouts.begin(), layouts.end(), [](const Layout& l) { return !is_of_ports(l); }), layouts.end());
+  if (options.ports)
+    layouts.erase(std::remove_if(layouts.begin(), layouts.end(), [](const Layout& l) { return !is_of_ports(l); }),
+                  layouts.end());
   const auto capture = [&](std::size_t n, Json&, const WordSink& sink) {
     load_frame(*engine, configuration.config(), frames[n]);
     engine->capture(frames[n].scene, [&](const Layout& layout, const Word* words, std::size_t count) {
       if (!options.ports || is_of_ports(layout)) sink(layout, words, count);
     });
   };
-  return write_streams(folder, options, engine->lanes_x(), engine->lanes_y(), layouts, std::move(described), capture, progress);
+  return write_streams(folder, options, engine->lanes_x(), engine->lanes_y(), layouts, std::move(described), capture,
+                       progress);
 }
 
 std::string write_compensation_set(const std::string& folder, const VectorSetOptions& options,
@@ -229,9 +259,11 @@ std::string write_compensation_set(const std::string& folder, const VectorSetOpt
                         [](Json& json, const CompensatedFrame& done) { json["misses"] = done.misses; });
 }
 
-std::string write_merge_set(const std::string& folder, const VectorSetOptions& options, const std::vector<NamedMerge>& runs,
+std::string write_merge_set(const std::string& folder, const VectorSetOptions& options,
+                            const std::vector<NamedMerge>& runs,
                             const std::function<void(std::size_t, std::size_t)>& progress) {
-  return write_unit_set(folder, options, Merger(options.configuration, options.lanes), runs, progress, [](Json&, const MergeResult&) {});
+  return write_unit_set(folder, options, Merger(options.configuration, options.lanes), runs, progress,
+                        [](Json&, const MergeResult&) {});
 }
 
 }  // namespace halfspace::model

@@ -7,15 +7,15 @@
 #include <string>
 #include <vector>
 
-#include "vectors/compensation_frames.hpp"
 #include "model/formats/configuration.hpp"
-#include "vectors/merge_frames.hpp"
 #include "model/pipeline/named_frame.hpp"
+#include "vectors/compensation_frames.hpp"
+#include "vectors/merge_frames.hpp"
 
 namespace halfspace::model {
 
 struct VectorSetOptions {
-  std::string scene;   // name in the manifest
+  std::string scene;  // name in the manifest
   Configuration configuration = find_configuration("middle");
   int lanes = 4;
   std::uint64_t seed = 0;  // of the random frames; 0 if there are none
@@ -33,7 +33,8 @@ std::string write_vector_set(const std::string& folder, const VectorSetOptions& 
 std::string write_compensation_set(const std::string& folder, const VectorSetOptions& options,
                                    const std::vector<NamedCompensation>& frames,
                                    const std::function<void(std::size_t, std::size_t)>& progress);
-std::string write_merge_set(const std::string& folder, const VectorSetOptions& options, const std::vector<NamedMerge>& runs,
+std::string write_merge_set(const std::string& folder, const VectorSetOptions& options,
+                            const std::vector<NamedMerge>& runs,
                             const std::function<void(std::size_t, std::size_t)>& progress);
 
 }  // namespace halfspace::model

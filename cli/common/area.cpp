@@ -11,8 +11,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "ref/error.hpp"
 #include "model/pipeline/package.hpp"
+#include "ref/error.hpp"
 #include "vectors/staging.hpp"
 
 namespace halfspace::cli {
@@ -86,9 +86,10 @@ Json measure_area(const model::Configuration& configuration, const std::vector<s
   const std::string package = (folder / "hs_formats_pkg.sv").string(), json = (folder / "area.json").string();
   const std::string log = (folder / "area.log").string();
   model::write_file(package, model::formats_package(configuration));
-  const int status = run_program({"python3", HALFSPACE_AREA_TOOL, "--package", package, "--lanes",
-                                  std::to_string(configuration.config().lanes), "--targets", joined(targets), "--json", json},
-                                 log);
+  const int status =
+      run_program({"python3", HALFSPACE_AREA_TOOL, "--package", package, "--lanes",
+                   std::to_string(configuration.config().lanes), "--targets", joined(targets), "--json", json},
+                  log);
   std::ifstream file(json);
   const Json result = Json::parse(file, nullptr, false);
   if (status != 0 || result.is_discarded() || !result.contains("rows")) {

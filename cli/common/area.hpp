@@ -17,8 +17,8 @@ std::vector<std::string> area_targets(const std::string& text);
 // The bytes of everything that decides about areas: the RTL and the tool.
 std::string area_sources();
 
-// With the lanes of the configuration: {"rows": …, "buffers": …, "yosys": …} of all units and the pipeline; its files, while it runs, are under `work`.
-// Throws ref::Error.
+// With the lanes of the configuration: {"rows": …, "buffers": …, "yosys": …} of all units and the pipeline; its files,
+// while it runs, are under `work`. Throws ref::Error.
 Json measure_area(const model::Configuration&, const std::vector<std::string>& targets, const std::string& work);
 
 }  // namespace halfspace::cli

@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/common/shell.hpp"
-#include "ref/error.hpp"
 #include "model/pipeline/package.hpp"
+#include "ref/error.hpp"
 #include "vectors/staging.hpp"
 
 namespace halfspace::cli {
@@ -24,25 +24,30 @@ void run(const std::string& command, const std::string& log, const std::string& 
 
 }  // namespace
 
-Cosimulation cosimulate(const std::string& folder, const std::string& scene, const model::Configuration& configuration, int lanes,
-                        const std::vector<model::NamedFrame>& frames) {
+Cosimulation cosimulate(const std::string& folder, const std::string& scene, const model::Configuration& configuration,
+                        int lanes, const std::vector<model::NamedFrame>& frames) {
   const std::filesystem::path work(folder);
   std::filesystem::create_directories(work);
   const std::string package = (work / "hs_formats_pkg.sv").string(), report = (work / "cosim.json").string();
   model::write_file(package, model::formats_package(configuration));
-  run(fmt::format("python3 {} --package {} --lanes {} --out {} --library {} --library {}", shell_quoted(HALFSPACE_MODEL_TOOL), shell_quoted(package),
-                  lanes, shell_quoted((work / "model").string()), shell_quoted(HALFSPACE_TB_LIBRARY), shell_quoted(HALFSPACE_VERILATED_LIBRARY)),
+  run(fmt::format("python3 {} --package {} --lanes {} --out {} --library {} --library {}",
+                  shell_quoted(HALFSPACE_MODEL_TOOL), shell_quoted(package), lanes,
+                  shell_quoted((work / "model").string()), shell_quoted(HALFSPACE_TB_LIBRARY),
+                  shell_quoted(HALFSPACE_VERILATED_LIBRARY)),
       (work / "model.log").string(), "building the bench");
   model::write_vector_set((work / "vectors").string(), {scene, configuration, lanes, 0}, frames, nullptr);
   std::filesystem::remove(report);
   // Its status tells of mismatches as well: the report decides.
-  const int status = std::system(fmt::format("{} {} --json {} > {} 2>&1", shell_quoted((work / "model" / "bench").string()),
-                                             shell_quoted((work / "vectors").string()), shell_quoted(report), shell_quoted((work / "cosim.log").string()))
-                                     .c_str());
+  const int status =
+      std::system(fmt::format("{} {} --json {} > {} 2>&1", shell_quoted((work / "model" / "bench").string()),
+                              shell_quoted((work / "vectors").string()), shell_quoted(report),
+                              shell_quoted((work / "cosim.log").string()))
+                      .c_str());
   std::ifstream file(report);
   const nlohmann::json json = nlohmann::json::parse(file, nullptr, false);
   if (!file || json.is_discarded()) {
-    throw ref::Error(fmt::format("the co-simulation ended with status {}: read {}", status, (work / "cosim.log").string()));
+    throw ref::Error(
+        fmt::format("the co-simulation ended with status {}: read {}", status, (work / "cosim.log").string()));
   }
   Cosimulation result;
   for (const auto& one : json.at("runs")) {
@@ -50,7 +55,8 @@ Cosimulation cosimulate(const std::string& folder, const std::string& scene, con
     result.mismatches += one.at("mismatches").get<std::uint64_t>() + one.at("failures").size();
     result.cycles = one.at("cycles").get<std::uint64_t>();
   }
-  if (result.words == 0) throw ref::Error(fmt::format("the co-simulation compared nothing: read {}", (work / "cosim.log").string()));
+  if (result.words == 0)
+    throw ref::Error(fmt::format("the co-simulation compared nothing: read {}", (work / "cosim.log").string()));
   return result;
 }
 

@@ -13,7 +13,9 @@ namespace halfspace::cli {
 inline CLI::Validator above_zero() {
   return {[](std::string& text) {
             double value = 0;
-            return CLI::detail::lexical_cast(text, value) && value > 0 ? "" : fmt::format("'{}' is not a number above 0", text);
+            return CLI::detail::lexical_cast(text, value) && value > 0
+                       ? ""
+                       : fmt::format("'{}' is not a number above 0", text);
           },
           "above 0"};
 }
@@ -21,7 +23,9 @@ inline CLI::Validator above_zero() {
 inline CLI::Validator zero_or_more() {
   return {[](std::string& text) {
             double value = 0;
-            return CLI::detail::lexical_cast(text, value) && value >= 0 ? "" : fmt::format("'{}' is not a number of 0 or more", text);
+            return CLI::detail::lexical_cast(text, value) && value >= 0
+                       ? ""
+                       : fmt::format("'{}' is not a number of 0 or more", text);
           },
           "0 or more"};
 }

@@ -31,7 +31,10 @@ std::pair<int, int> parse_range(const std::string& text) {
 }  // namespace
 
 void add_frame_options(CLI::App* command, FrameInput& input) {
-  command->add_option("SCENE", input.scene, "a built-in scene (" + builtin_names() + "), a mesh file or a screen-space *.tri")->required();
+  command
+      ->add_option("SCENE", input.scene,
+                   "a built-in scene (" + builtin_names() + "), a mesh file or a screen-space *.tri")
+      ->required();
   command->add_option("--size", input.size, "frame, WxH; a *.tri has its own")->capture_default_str();
   command->add_option("--frames", input.frames, "frames A:B of the animation, from 0 on; default: all");
   command->add_option("--rate", input.rate, "frames a second")->capture_default_str()->check(above_zero());

@@ -9,14 +9,14 @@
 #include <limits>
 #include <memory>
 
-#include "ref/error.hpp"
-#include "ref/geometry/geometry.hpp"
-#include "ref/scene/scene.hpp"
-#include "ref/geometry/surface.hpp"
-#include "ref/geometry/triangle_list.hpp"
+#include "model/drivers/up_convert.hpp"
 #include "model/pipeline/engine.hpp"
 #include "model/shade/frame_lighting.hpp"
-#include "model/drivers/up_convert.hpp"
+#include "ref/error.hpp"
+#include "ref/geometry/geometry.hpp"
+#include "ref/geometry/surface.hpp"
+#include "ref/geometry/triangle_list.hpp"
+#include "ref/scene/scene.hpp"
 
 namespace halfspace::cli {
 namespace {
@@ -57,14 +57,18 @@ std::string builtin_names() {
 }
 
 void add_scene_options(CLI::App* command, SceneInput& input) {
-  command->add_option("SCENE", input.scene, "a built-in scene (" + builtin_names() + "), a mesh file (OBJ, glTF, Collada, …) or a screen-space *.tri")
+  command
+      ->add_option(
+          "SCENE", input.scene,
+          "a built-in scene (" + builtin_names() + "), a mesh file (OBJ, glTF, Collada, …) or a screen-space *.tri")
       ->required();
   command->add_option("--config", input.config,
                       "number formats: low (320x200), middle (640x480), high (1920x1080) or a .toml file; default: "
                       "middle, or high when the scene does not fit");
   command->add_option("--size", input.size, "frame, WxH; default: the size in the file, or the configuration's own");
   command->add_option("--time", input.time, "seconds into the animation")->capture_default_str();
-  command->add_option("--interval", input.interval, "of a motion configuration: seconds T0:T1 of the key frames, with --time between them");
+  command->add_option("--interval", input.interval,
+                      "of a motion configuration: seconds T0:T1 of the key frames, with --time between them");
 }
 
 namespace {
@@ -72,8 +76,11 @@ namespace {
 // Of a scene whose configuration asks for more than a *.tri has.
 ref::Geometry geometry_of(const LoadedScene& loaded) {
   if (!loaded.scene) {
-    throw ref::Error(fmt::format("configuration {} lights or textures triangles, and those of a *.tri have colours alone: take a mesh file, or a "
-                                 "configuration without lights and texture", loaded.configuration.name()));
+    throw ref::Error(
+        fmt::format("configuration {} lights or textures triangles, and those of a *.tri have colours alone: take a "
+                    "mesh file, or a "
+                    "configuration without lights and texture",
+                    loaded.configuration.name()));
   }
   const ref::SnappedList& list = loaded.list;
   return {*loaded.scene, {list.width, list.height, list.format.range_bits, list.format.subpixel_bits}};
@@ -102,7 +109,9 @@ std::unique_ptr<model::Engine> kernels_of(const LoadedScene& loaded, int lanes) 
 }
 
 ref::Frame frame_of(const ref::SnappedList& list, ref::Drawing drawing) {
-  ref::Frame frame{list.width, list.height, std::move(drawing.triangle), std::move(drawing.depth), std::move(drawing.colour), {}, {}, {}};
+  ref::Frame frame{
+      list.width, list.height, std::move(drawing.triangle), std::move(drawing.depth), std::move(drawing.colour), {},
+      {},         {}};
   frame.visible = std::move(drawing.visible);
   return frame;
 }
@@ -117,8 +126,10 @@ ref::Frame reference_of(const LoadedScene& loaded) {
   if ((!has_lighting(config) && !has_texture(config)) || !loaded.scene) return ref::render(loaded.list);
   ref::Geometry geometry = geometry_of(loaded);
   ref::SnappedList list = loaded.list;
-  if (has_lighting(config) && !is_phong(config)) list = ref::distantly_lit(std::move(list), geometry, model::most_squarings(config));
-  auto surface = is_phong(config) ? ref::lit_surface(geometry, list, ref::ShadingMode::kPhong) : ref::given_surface(list);
+  if (has_lighting(config) && !is_phong(config))
+    list = ref::distantly_lit(std::move(list), geometry, model::most_squarings(config));
+  auto surface =
+      is_phong(config) ? ref::lit_surface(geometry, list, ref::ShadingMode::kPhong) : ref::given_surface(list);
   if (has_texture(config)) {
     surface = ref::textured_surface(std::move(surface), geometry, list, texture_mode(config));
   }
@@ -137,7 +148,8 @@ ref::OfKeys<double> interval_of(const SceneInput& input) {
     throw ref::Error(fmt::format("--interval {}: not the times of two key frames: write it like 0.1:0.3", text));
   }
   if (input.time < times[0] || input.time > times[1]) {
-    throw ref::Error(fmt::format("--time {}: not between the key frames of --interval {}: choose another", input.time, text));
+    throw ref::Error(
+        fmt::format("--time {}: not between the key frames of --interval {}: choose another", input.time, text));
   }
   return times;
 }
@@ -147,8 +159,10 @@ namespace {
 // The triangles in between, by their exact positions.
 LoadedScene load_between(const SceneInput& input, const model::Configuration& configuration) {
   if (input.interval.empty() || ref::is_tri_file(input.scene)) {
-    throw ref::Error(fmt::format("{}: configuration {} is of frames between key frames: name an animated scene, and the times by --time and "
-                                 "--interval T0:T1", input.scene, configuration.name()));
+    throw ref::Error(fmt::format(
+        "{}: configuration {} is of frames between key frames: name an animated scene, and the times by --time and "
+        "--interval T0:T1",
+        input.scene, configuration.name()));
   }
   const ref::OfKeys<double> times = interval_of(input);
   const ref::RasterFormat format = model::raster_format(configuration);
@@ -157,7 +171,8 @@ LoadedScene load_between(const SceneInput& input, const model::Configuration& co
   const ref::View view{size.width, size.height, format.range_bits, format.subpixel_bits};
   const ref::OfKeys<ref::Scene> keys{ref::load_scene(input.scene, times[0]), ref::load_scene(input.scene, times[1])};
   const double a = (input.time - times[0]) / (times[1] - times[0]);
-  const auto between = std::make_shared<ref::Between>(ref::follow(ref::MotionMethod::kExact, keys[0], keys[1], *scene, a, view));
+  const auto between =
+      std::make_shared<ref::Between>(ref::follow(ref::MotionMethod::kExact, keys[0], keys[1], *scene, a, view));
   LoadedScene loaded{snap_scene(input.scene, between->list, format), configuration,
                      [scene](const ref::View& v) { return ref::project(*scene, v); }, scene, between};
   if (!relights(configuration.config())) return loaded;
@@ -173,8 +188,10 @@ LoadedScene load_snapped(const SceneInput& input) {
   const model::Configuration chosen = model::find_configuration(input.config.empty() ? "middle" : input.config);
   if (has_motion(chosen.config())) return load_between(input, chosen);
   if (!input.interval.empty()) {
-    throw ref::Error(fmt::format("--interval {}: configuration {} shades frames: leave it out, or name a configuration with shading = \"motion\"",
-                                 input.interval, chosen.name()));
+    throw ref::Error(
+        fmt::format("--interval {}: configuration {} shades frames: leave it out, or name a configuration with shading "
+                    "= \"motion\"",
+                    input.interval, chosen.name()));
   }
   const ref::RasterFormat first = model::raster_format(chosen);
 
@@ -183,8 +200,8 @@ LoadedScene load_snapped(const SceneInput& input) {
   if (ref::is_tri_file(input.scene)) {
     const auto list = std::make_shared<ref::TriangleList>(ref::read_tri(input.scene));
     if (!input.size.empty() && (size.width != list->width || size.height != list->height)) {
-      throw ref::Error(fmt::format("{}: its frame is {}x{}, not {}: leave out --size", input.scene, list->width, list->height,
-                                   input.size));
+      throw ref::Error(fmt::format("{}: its frame is {}x{}, not {}: leave out --size", input.scene, list->width,
+                                   list->height, input.size));
     }
     project = [list](const ref::View&) { return *list; };
   } else {
@@ -196,7 +213,8 @@ LoadedScene load_snapped(const SceneInput& input) {
       snap_scene(input.scene, empty, first);  // throws
     }
     scene = std::make_shared<ref::Scene>(ref::load_scene(input.scene, input.time, has_texture(chosen.config())));
-    for (const std::string& loss : model::fit_textures(*scene, chosen.config())) std::fprintf(stderr, "warning: %s\n", loss.c_str());
+    for (const std::string& loss : model::fit_textures(*scene, chosen.config()))
+      std::fprintf(stderr, "warning: %s\n", loss.c_str());
     project = [scene](const ref::View& view) { return ref::project(*scene, view); };
   }
   auto snapped = [&](const model::Configuration& configuration) -> LoadedScene {

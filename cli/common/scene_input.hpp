@@ -9,28 +9,29 @@
 #include <memory>
 #include <string>
 
-#include "ref/geometry/snap.hpp"
-#include "ref/raster/architecture.hpp"
-#include "ref/motion/motion.hpp"
-#include "ref/raster/raster.hpp"
-#include "ref/motion/relight.hpp"
-#include "ref/scene/scene.hpp"
-#include "ref/geometry/surface.hpp"
 #include "model/formats/configuration.hpp"
+#include "model/motion/motion.hpp"
 #include "model/pipeline/engine.hpp"
 #include "model/shade/lighting.hpp"
-#include "model/motion/motion.hpp"
+#include "ref/geometry/snap.hpp"
+#include "ref/geometry/surface.hpp"
+#include "ref/motion/motion.hpp"
+#include "ref/motion/relight.hpp"
+#include "ref/raster/architecture.hpp"
+#include "ref/raster/raster.hpp"
+#include "ref/scene/scene.hpp"
 #include "study/trade/trade.hpp"
 
 namespace halfspace::cli {
 
 struct SceneInput {
-  std::string scene;   // built-in name, *.tri, or a mesh file
-  std::string config;  // name or .toml; empty: middle, or high when the scene does not fit middle
-  std::string size;    // "WxH"; empty: a *.tri's size, or the configuration's
-  double time = 0;     // seconds into the animation
-  std::string interval;  // "T0:T1", seconds: the key frames of a motion configuration, which draws the frame at `time` between them
-  int window = 0;      // of index reuse; not 0: there may be more triangles than the configuration takes
+  std::string scene;     // built-in name, *.tri, or a mesh file
+  std::string config;    // name or .toml; empty: middle, or high when the scene does not fit middle
+  std::string size;      // "WxH"; empty: a *.tri's size, or the configuration's
+  double time = 0;       // seconds into the animation
+  std::string interval;  // "T0:T1", seconds: the key frames of a motion configuration, which draws the frame at `time`
+                         // between them
+  int window = 0;        // of index reuse; not 0: there may be more triangles than the configuration takes
 };
 
 // Of the built-in scenes, the animated ones last, for a help text.
@@ -43,8 +44,9 @@ struct LoadedScene {
   ref::SnappedList list;
   model::Configuration configuration;  // of its format
   model::Projection project;           // the scene as another view sees it
-  std::shared_ptr<ref::Scene> scene;     // null of a *.tri
-  std::shared_ptr<ref::Between> between;  // of a motion configuration: the triangles of `list`, and where they are in the key frames
+  std::shared_ptr<ref::Scene> scene;   // null of a *.tri
+  std::shared_ptr<ref::Between>
+      between;  // of a motion configuration: the triangles of `list`, and where they are in the key frames
   ref::OfKeys<ref::LightChange> change{};  // of one that relights: what the light changes on them from each key
 };
 

@@ -10,11 +10,11 @@
 #include "cli/common/numbers.hpp"
 #include "cli/common/progress.hpp"
 #include "cli/common/scene_input.hpp"
-#include "ref/error.hpp"
-#include "ref/motion/quality.hpp"
-#include "ref/geometry/viewpoint.hpp"
-#include "model/texture/texture.hpp"
 #include "model/drivers/up_convert.hpp"
+#include "model/texture/texture.hpp"
+#include "ref/error.hpp"
+#include "ref/geometry/viewpoint.hpp"
+#include "ref/motion/quality.hpp"
 
 namespace halfspace::cli {
 namespace {
@@ -73,12 +73,14 @@ class KernelConverter : public Converter {
   model::KernelUpConverter converter_;
 };
 
-std::unique_ptr<Converter> reference_converter(const SequenceOptions& options, const FrameSize& size, const ref::RasterFormat& format) {
+std::unique_ptr<Converter> reference_converter(const SequenceOptions& options, const FrameSize& size,
+                                               const ref::RasterFormat& format) {
   ref::UpConversion mode{size.width, size.height, format};
   mode.samples = options.samples;
   mode.shading = kind_of(ref::kShadingModes, options.shading);
   if (options.texture != "none") {
-    mode.texture = ref::TextureMode{options.texture == "nearest" ? ref::TextureFilter::kNearest : ref::TextureFilter::kBilinear};
+    mode.texture =
+        ref::TextureMode{options.texture == "nearest" ? ref::TextureFilter::kNearest : ref::TextureFilter::kBilinear};
   }
   mode.method = options.method == "straight" ? ref::MotionMethod::kStraight : ref::MotionMethod::kExact;
   const bool linear = options.mapping == "affine" || options.method == "straight";
@@ -100,11 +102,14 @@ model::Configuration colour_configuration(const SequenceOptions& options, const 
   model::Configuration chosen = model::find_configuration(options.config.empty() ? "middle" : options.config);
   if (options.config.empty() && !fits(chosen)) chosen = model::find_configuration("high");
   if (!fits(chosen)) {
-    throw ref::Error(fmt::format("--size {}: with {} samples a pixel each way it is more than configuration {} draws: take a smaller "
-                                 "one, or a larger configuration", options.size, options.samples, chosen.name()));
+    throw ref::Error(fmt::format(
+        "--size {}: with {} samples a pixel each way it is more than configuration {} draws: take a smaller "
+        "one, or a larger configuration",
+        options.size, options.samples, chosen.name()));
   }
   if (options.texture == "none" || has_texture(chosen.config())) return chosen;
-  return model::textured_configuration(chosen, options.texture == "nearest" ? TextureFilter::kNearest : TextureFilter::kBilinear);
+  return model::textured_configuration(
+      chosen, options.texture == "nearest" ? TextureFilter::kNearest : TextureFilter::kBilinear);
 }
 
 // "weight_bits=4"
@@ -121,7 +126,8 @@ void set_number(Config& config, const std::string& text) {
   throw ref::Error(fmt::format("--set {}: no number of the motion: write it like weight_bits=4, of {}", text, known));
 }
 
-model::Configuration motion_of(const SequenceOptions& options, const FrameSize& size, const model::Configuration& colour) {
+model::Configuration motion_of(const SequenceOptions& options, const FrameSize& size,
+                               const model::Configuration& colour) {
   if (!options.motion.empty()) {
     Config numbers = model::find_configuration(options.motion).config();
     for (const std::string& text : options.set) set_number(numbers, text);
@@ -139,8 +145,10 @@ model::Configuration motion_of(const SequenceOptions& options, const FrameSize& 
 
 int between_of(const std::string& keys) {
   if (keys == "auto") return 0;
-  if (keys.size() == 3 && keys.compare(0, 2, "1:") == 0 && keys[2] >= '1' && keys[2] <= '0' + kMostBetween) return keys[2] - '0';
-  throw ref::Error(fmt::format("--keys {}: one key frame to how many in between: write 1:1 … 1:{}, or auto", keys, kMostBetween));
+  if (keys.size() == 3 && keys.compare(0, 2, "1:") == 0 && keys[2] >= '1' && keys[2] <= '0' + kMostBetween)
+    return keys[2] - '0';
+  throw ref::Error(
+      fmt::format("--keys {}: one key frame to how many in between: write 1:1 … 1:{}, or auto", keys, kMostBetween));
 }
 
 }  // namespace
@@ -156,34 +164,50 @@ void add(Work& sum, const Work& work) {
 }
 
 void add_sequence_options(CLI::App* command, SequenceOptions& o) {
-  command->add_option("SCENE", o.scene, "an animated scene (" + builtin_names() + ") or a mesh file with an animation")->required();
-  command->add_option("--keys", o.keys, "key frames to frames in between, 1:1 … 1:4; auto: as many in between as keep --psnr")->capture_default_str();
-  command->add_option("--psnr", o.psnr, "dB that each frame in between has to keep against its rendered one, with --keys auto")->capture_default_str();
+  command->add_option("SCENE", o.scene, "an animated scene (" + builtin_names() + ") or a mesh file with an animation")
+      ->required();
+  command
+      ->add_option("--keys", o.keys,
+                   "key frames to frames in between, 1:1 … 1:4; auto: as many in between as keep --psnr")
+      ->capture_default_str();
+  command
+      ->add_option("--psnr", o.psnr,
+                   "dB that each frame in between has to keep against its rendered one, with --keys auto")
+      ->capture_default_str();
   command->add_option("--engine", o.engine, "ref: floating-point reference; hls: fixed-point kernels")
       ->check(CLI::IsMember({"ref", "hls"}))
       ->capture_default_str();
-  command->add_option("--config", o.config, "of the frames: low, middle, high or a .toml file; default: middle, or high for a large frame");
-  command->add_option("--motion", o.motion, "of the motion: a .toml file with shading = \"motion\"; default: made for --config");
+  command->add_option("--config", o.config,
+                      "of the frames: low, middle, high or a .toml file; default: middle, or high for a large frame");
+  command->add_option("--motion", o.motion,
+                      "of the motion: a .toml file with shading = \"motion\"; default: made for --config");
   command->add_option("--set", o.set, "a number of the motion's configuration, like weight_bits=4");
   command->add_option("--size", o.size, "frame, WxH")->capture_default_str();
   command->add_option("--first", o.first, "first frame of the animation")->capture_default_str()->check(zero_or_more());
   command->add_option("--frames", o.frames, "how many; default: to the end of the animation")->check(above_zero());
-  command->add_option("--filter", o.filter, "of key frames")->check(CLI::IsMember({"nearest", "bilinear", "area", "bicubic"}));
+  command->add_option("--filter", o.filter, "of key frames")
+      ->check(CLI::IsMember({"nearest", "bilinear", "area", "bicubic"}));
   command->add_option("--mapping", o.mapping, "of places in key frames: affine on the screen, or perspective (default)")
       ->check(CLI::IsMember({"affine", "perspective"}));
-  command->add_option("--method", o.method, "exact: where each vertex is; straight: on the line between its places in the key frames")
+  command
+      ->add_option("--method", o.method,
+                   "exact: where each vertex is; straight: on the line between its places in the key frames")
       ->check(CLI::IsMember({"exact", "straight"}))
       ->capture_default_str();
   command->add_option("--texture", o.texture, "draw the textures; built-in animations are of bricks then")
       ->check(CLI::IsMember({"none", "nearest", "bilinear"}))
       ->capture_default_str();
-  command->add_option("--samples", o.samples, "of a pixel each way: 1, 2, 4")->check(CLI::IsMember({1, 2, 4}))->capture_default_str();
+  command->add_option("--samples", o.samples, "of a pixel each way: 1, 2, 4")
+      ->check(CLI::IsMember({1, 2, 4}))
+      ->capture_default_str();
   command->add_flag("--relight,!--no-relight", o.relight, "add what the light changes between the keys (default)");
   command->add_flag("--half", o.half, "a motion vector for 2x2 pixels");
   command->add_flag("--static-buffer", o.static_buffer,
-                    "keep what stands still between two keys in an S-buffer, and set up, vector and compensate what moves alone: the viewpoint "
+                    "keep what stands still between two keys in an S-buffer, and set up, vector and compensate what "
+                    "moves alone: the viewpoint "
                     "has to rest");
-  command->add_flag("!--no-index-test", o.index_test, "for --engine ref: take what lies in the place, whatever face it shows");
+  command->add_flag("!--no-index-test", o.index_test,
+                    "for --engine ref: take what lies in the place, whatever face it shows");
   command->add_flag("--surfaces", o.surfaces, "for --engine ref: pixels match by smooth surfaces, not by faces");
 }
 
@@ -192,13 +216,18 @@ Sequence run_sequence(const SequenceOptions& options, const std::function<void(c
   const FrameSize size = parse_size(options.size);
   const bool textured = options.texture != "none";
   if (options.static_buffer && (options.half || options.method != "exact")) {
-    throw ref::Error("--static-buffer: what moves is held against its depths, a sample at a time: leave out --half and --method straight");
+    throw ref::Error(
+        "--static-buffer: what moves is held against its depths, a sample at a time: leave out --half and --method "
+        "straight");
   }
   const ref::Scene scene = ref::load_scene(options.scene, double(options.first) / kFramesASecond, textured);
-  if (scene.duration <= 0) throw ref::Error(fmt::format("{}: nothing moves in it: take an animated scene", options.scene));
+  if (scene.duration <= 0)
+    throw ref::Error(fmt::format("{}: nothing moves in it: take an animated scene", options.scene));
   const int all = int(std::floor(scene.duration * kFramesASecond)) + 1 - options.first;
   const int frames = options.frames ? std::min(options.frames, all) : all;
-  if (frames < 3) throw ref::Error(fmt::format("{}: {} frames from --first on, and two keys with one in between are 3: take more", options.scene, std::max(frames, 0)));
+  if (frames < 3)
+    throw ref::Error(fmt::format("{}: {} frames from --first on, and two keys with one in between are 3: take more",
+                                 options.scene, std::max(frames, 0)));
 
   const model::Configuration colour = colour_configuration(options, size);
   Sequence out{size.width, size.height, frames, {}, colour.name(), ""};
@@ -220,7 +249,8 @@ Sequence run_sequence(const SequenceOptions& options, const std::function<void(c
   if (options.engine == "ref") {
     converter = reference_converter(options, size, model::raster_format(colour));
   } else {
-    if (!options.index_test || options.surfaces) throw ref::Error("--no-index-test, --surfaces: the kernels go by faces: take --engine ref");
+    if (!options.index_test || options.surfaces)
+      throw ref::Error("--no-index-test, --surfaces: the kernels go by faces: take --engine ref");
     const model::Configuration motion = motion_of(options, size, colour);
     out.motion = motion.name();
     out.tile_bytes = 64 * model::key_pixel_bits(motion.config()) / 8;

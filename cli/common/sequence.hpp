@@ -11,8 +11,8 @@
 
 #include "cli/commands.hpp"
 #include "cli/common/scene_input.hpp"
-#include "ref/motion/up_convert.hpp"
 #include "model/formats/configuration.hpp"
+#include "ref/motion/up_convert.hpp"
 
 namespace halfspace::cli {
 
@@ -25,7 +25,7 @@ struct SequenceOptions {
   bool relight = true, half = false, index_test = true, surfaces = false;
   bool static_buffer = false;
   bool held_planes = false;  // depth planes of all frames together, as with static_buffer, so that both draw the same
-  double psnr = 45;  // of --keys auto
+  double psnr = 45;          // of --keys auto
   std::vector<std::string> set;  // "weight_bits=4": of the motion's configuration
 };
 
@@ -40,10 +40,10 @@ void add(Work& sum, const Work& work);
 
 // A frame between keys, or a key.
 struct SequenceFrame {
-  int number = 0;       // of the sequence, from 0 on
+  int number = 0;  // of the sequence, from 0 on
   bool is_key = false;
-  ref::Colours shown;     // compensated; a key as it is drawn
-  ref::Colours rendered;  // without up-conversion
+  ref::Colours shown;            // compensated; a key as it is drawn
+  ref::Colours rendered;         // without up-conversion
   ref::Colours average, repeat;  // of the keys; empty of a key
   ref::Shares shares;
   Work work;
@@ -54,7 +54,7 @@ void add(ref::Shares& sum, const ref::Shares& shares);
 // What a sequence was made of.
 struct Sequence {
   int width, height, frames;
-  std::vector<int> keys;  // their numbers
+  std::vector<int> keys;       // their numbers
   std::string colour, motion;  // configurations, of kernels
   int tile_bytes = 0;          // of a key frame, likewise
 };

@@ -24,7 +24,8 @@ ref::Colours colours_of(const Picture& picture) {
 }
 
 // What the filter makes of the keys, for the frames in between that it reaches.
-std::optional<ref::Quality> quality_of_minterpolate(const Sequence& sequence, const std::vector<ref::Colours>& rendered) {
+std::optional<ref::Quality> quality_of_minterpolate(const Sequence& sequence,
+                                                    const std::vector<ref::Colours>& rendered) {
   const std::size_t keys = sequence.keys.size();
   if (!ffmpeg_is_installed() || keys < 3) return std::nullopt;
   const int factor = sequence.keys[1] - sequence.keys[0];
@@ -53,7 +54,9 @@ SequenceQuality measure_sequence(const SequenceOptions& options, bool with_minte
   out.sequence = run_sequence(options, [&](const SequenceFrame& frame) {
     if (with_minterpolate) rendered.push_back(frame.rendered);
     if (frame.is_key) return;
-    const auto against = [&](const ref::Colours& picture) { return ref::quality(picture, frame.rendered, size.width, size.height); };
+    const auto against = [&](const ref::Colours& picture) {
+      return ref::quality(picture, frame.rendered, size.width, size.height);
+    };
     const ref::Quality made = against(frame.shown), mean = against(frame.average);
     compensated.add(made), average.add(mean), repeat.add(against(frame.repeat));
     out.blocks.push_back(made.blocks), out.average_blocks.push_back(mean.blocks);
@@ -68,17 +71,31 @@ SequenceQuality measure_sequence(const SequenceOptions& options, bool with_minte
 }
 
 Json to_json(const Work& work, int tile_bytes) {
-  return {{"triangles", work.triangles}, {"static_triangles", work.static_triangles}, {"motion_words", work.words}, {"cache_misses", work.tiles},
-          {"key_bytes", work.tiles * std::size_t(tile_bytes)}, {"compensation_cycles", work.cycles}};
+  return {{"triangles", work.triangles},
+          {"static_triangles", work.static_triangles},
+          {"motion_words", work.words},
+          {"cache_misses", work.tiles},
+          {"key_bytes", work.tiles * std::size_t(tile_bytes)},
+          {"compensation_cycles", work.cycles}};
 }
 
 Json to_json(const SequenceQuality& q) {
-  Json json = {{"config", q.sequence.colour}, {"motion", q.sequence.motion}, {"width", q.sequence.width}, {"height", q.sequence.height},
-               {"frames", q.sequence.frames}, {"keys", q.sequence.keys}, {"between", q.between},
-               {"compensated", quality_json(q.compensated)}, {"temporal_average", quality_json(q.average)},
+  Json json = {{"config", q.sequence.colour},
+               {"motion", q.sequence.motion},
+               {"width", q.sequence.width},
+               {"height", q.sequence.height},
+               {"frames", q.sequence.frames},
+               {"keys", q.sequence.keys},
+               {"between", q.between},
+               {"compensated", quality_json(q.compensated)},
+               {"temporal_average", quality_json(q.average)},
                {"repeat", quality_json(q.repeat)},
-               {"pixels", {{"background", q.shares.background}, {"blended", q.shares.blended}, {"copied", q.shares.copied},
-                           {"rendered", q.shares.filled}, {"static", q.shares.still}}}};
+               {"pixels",
+                {{"background", q.shares.background},
+                 {"blended", q.shares.blended},
+                 {"copied", q.shares.copied},
+                 {"rendered", q.shares.filled},
+                 {"static", q.shares.still}}}};
   json.update(to_json(q.work, q.sequence.tile_bytes));
   if (q.minterpolate) json["minterpolate"] = quality_json(*q.minterpolate);
   return json;
@@ -86,11 +103,14 @@ Json to_json(const SequenceQuality& q) {
 
 void plot_blocks(const SequenceQuality& quality, const std::string& title, const std::string& picture) {
   std::string script = fmt::format(
-      "set terminal pngcairo size 1000,640 noenhanced font 'sans,11' background rgb 'white'\nset output {}\nset multiplot layout 2,1 title {}\n"
+      "set terminal pngcairo size 1000,640 noenhanced font 'sans,11' background rgb 'white'\nset output {}\nset "
+      "multiplot layout 2,1 title {}\n"
       "set style data histograms\nset style histogram rowstacked\nset style fill solid 0.95 noborder\nset boxwidth 1\n"
-      "set yrange [0:100]\nset ylabel 'blocks of 4x4, percent'\nset key outside right top\nunset xtics\nset grid ytics\n",
+      "set yrange [0:100]\nset ylabel 'blocks of 4x4, percent'\nset key outside right top\nunset xtics\nset grid "
+      "ytics\n",
       gnuplot_quoted(picture), gnuplot_quoted(title));
-  const auto plot = [&](const char* name, const char* label, const std::vector<std::array<double, ref::kBlockClasses>>& frames) {
+  const auto plot = [&](const char* name, const char* label,
+                        const std::vector<std::array<double, ref::kBlockClasses>>& frames) {
     script += fmt::format("${} << EOD\n", name);
     for (const auto& frame : frames) {
       for (const double share : frame) script += fmt::format("{} ", 100 * share);
@@ -98,7 +118,8 @@ void plot_blocks(const SequenceQuality& quality, const std::string& title, const
     }
     script += fmt::format("EOD\nset xlabel {}\nplot ", gnuplot_quoted(label));
     for (int n = 0; n < ref::kBlockClasses; ++n) {
-      script += fmt::format("{}${} using {} lc rgb '{}' title '{}'", n ? ", " : "", name, n + 1, kColours[n], ref::name_of(ref::BlockClass(n)));
+      script += fmt::format("{}${} using {} lc rgb '{}' title '{}'", n ? ", " : "", name, n + 1, kColours[n],
+                            ref::name_of(ref::BlockClass(n)));
     }
     script += "\n";
   };

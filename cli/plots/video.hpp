@@ -21,7 +21,8 @@ bool ffmpeg_is_installed();
 // Whole or not at all: nothing is in its place before finish(). Throws ref::Error.
 class FrameWriter {
  public:
-  // `path` has one %d or %04d for the number of a picture, from 0 on, or ends as ffmpeg knows films: .mp4, .mkv, .webm, .gif.
+  // `path` has one %d or %04d for the number of a picture, from 0 on, or ends as ffmpeg knows films: .mp4, .mkv, .webm,
+  // .gif.
   FrameWriter(std::string path, int width, int height, int frames_a_second);
   ~FrameWriter();
 
@@ -35,8 +36,8 @@ class FrameWriter {
   int frames_ = 0;
 };
 
-// What ffmpeg's filter minterpolate puts between pictures that are `factor` frames apart: the frames from the first of `keys` to the
-// last, as many as it gives. Its motion comes from the pictures alone. Throws ref::Error.
+// What ffmpeg's filter minterpolate puts between pictures that are `factor` frames apart: the frames from the first of
+// `keys` to the last, as many as it gives. Its motion comes from the pictures alone. Throws ref::Error.
 std::vector<Picture> interpolated_by_ffmpeg(const std::vector<Picture>& keys, int factor);
 
 }  // namespace halfspace::cli

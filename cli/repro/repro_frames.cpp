@@ -70,9 +70,11 @@ SequenceOptions as_printed(SequenceOptions sequence) {
 }
 
 Json measure_kind(const Options& options, const Kind& kind) {
-  fmt::print("{}, {}, one frame in five drawn; PSNR_Y in dB of the frames in between, mean\n\n"
-             "{:<27} {:>8} {:>8}   {:<13} {:>8} {:>9} {:>12} {:>8} {:>8} {:>10}\n", kind.title, options.size, "the paper's", "average",
-             "compens.", "ours", "average", "as paper", "minterpolate", "ref", "kernels", "< 20 dB");
+  fmt::print(
+      "{}, {}, one frame in five drawn; PSNR_Y in dB of the frames in between, mean\n\n"
+      "{:<27} {:>8} {:>8}   {:<13} {:>8} {:>9} {:>12} {:>8} {:>8} {:>10}\n",
+      kind.title, options.size, "the paper's", "average", "compens.", "ours", "average", "as paper", "minterpolate",
+      "ref", "kernels", "< 20 dB");
   Json rows = Json::array();
   std::array<double, 7> sum{};
   bool all_interpolated = true;
@@ -84,25 +86,34 @@ Json measure_kind(const Options& options, const Kind& kind) {
     const SequenceQuality reference = measure_sequence(sequence, false);
     const double interpolated = kernels.minterpolate ? kernels.minterpolate->psnr_y : 0;
     all_interpolated = all_interpolated && kernels.minterpolate;
-    const std::array<double, 7> numbers = {row.average, row.compensated, kernels.average.psnr_y, printed.compensated.psnr_y, interpolated,
-                                           reference.compensated.psnr_y, kernels.compensated.psnr_y};
+    const std::array<double, 7> numbers = {row.average,
+                                           row.compensated,
+                                           kernels.average.psnr_y,
+                                           printed.compensated.psnr_y,
+                                           interpolated,
+                                           reference.compensated.psnr_y,
+                                           kernels.compensated.psnr_y};
     for (std::size_t n = 0; n < sum.size(); ++n) sum[n] += numbers[n] / double(std::size(kPrinted));
-    fmt::print("{:<27} {:>8.2f} {:>8.2f}   {:<13} {:>8.2f} {:>9.2f} {:>12} {:>8.2f} {:>8.2f} {:>9.3f}%\n", row.animation, numbers[0],
-               numbers[1], row.scene, numbers[2], numbers[3], kernels.minterpolate ? fmt::format("{:.2f}", interpolated) : "-",
-               numbers[5], numbers[6], 100 * kernels.compensated.blocks[0]);
-    Json json = {{"animation", row.animation}, {"scene", row.scene}, {"kind", kind.name},
+    fmt::print("{:<27} {:>8.2f} {:>8.2f}   {:<13} {:>8.2f} {:>9.2f} {:>12} {:>8.2f} {:>8.2f} {:>9.3f}%\n",
+               row.animation, numbers[0], numbers[1], row.scene, numbers[2], numbers[3],
+               kernels.minterpolate ? fmt::format("{:.2f}", interpolated) : "-", numbers[5], numbers[6],
+               100 * kernels.compensated.blocks[0]);
+    Json json = {{"animation", row.animation},
+                 {"scene", row.scene},
+                 {"kind", kind.name},
                  {"printed", {{"average_db", row.average}, {"compensated_db", row.compensated}}}};
     json["kernels"] = to_json(kernels);
     json["reference"] = to_json(reference);
     json["as_printed"] = to_json(printed);
     rows.push_back(std::move(json));
     if (!options.out.empty()) {
-      const std::string picture = (std::filesystem::path(options.out) / fmt::format("blocks_{}_{}.png", kind.name, row.scene)).string();
+      const std::string picture =
+          (std::filesystem::path(options.out) / fmt::format("blocks_{}_{}.png", kind.name, row.scene)).string();
       plot_blocks(kernels, fmt::format("{}, {}", row.scene, kind.title), picture);
     }
   }
-  fmt::print("{:<27} {:>8.2f} {:>8.2f}   {:<13} {:>8.2f} {:>9.2f} {:>12} {:>8.2f} {:>8.2f}\n\n", "mean", sum[0], sum[1], "", sum[2], sum[3],
-             all_interpolated ? fmt::format("{:.2f}", sum[4]) : "-", sum[5], sum[6]);
+  fmt::print("{:<27} {:>8.2f} {:>8.2f}   {:<13} {:>8.2f} {:>9.2f} {:>12} {:>8.2f} {:>8.2f}\n\n", "mean", sum[0], sum[1],
+             "", sum[2], sum[3], all_interpolated ? fmt::format("{:.2f}", sum[4]) : "-", sum[5], sum[6]);
   return rows;
 }
 
@@ -110,7 +121,8 @@ void repro_c(const Options& options) {
   Json json = {{"paper", "frame-rate up-conversion"}, {"rows", Json::array()}};
   if (!options.out.empty()) std::filesystem::create_directories(options.out);
   for (const Kind& kind : kKinds) {
-    const bool wanted = options.kinds.empty() || std::find(options.kinds.begin(), options.kinds.end(), kind.name) != options.kinds.end();
+    const bool wanted = options.kinds.empty() ||
+                        std::find(options.kinds.begin(), options.kinds.end(), kind.name) != options.kinds.end();
     if (!wanted) continue;
     for (Json& row : measure_kind(options, kind)) json["rows"].push_back(std::move(row));
   }
@@ -124,7 +136,8 @@ void add_repro_frames(CLI::App* repro) {
   CLI::App* paper = repro->add_subcommand("C", "frame-rate up-conversion");
   std::vector<std::string> names;
   for (const Kind& kind : kKinds) names.emplace_back(kind.name);
-  paper->add_option("KIND", options->kinds, "gouraud, textured, supersampled, supersampled_textured; default: all four")->check(CLI::IsMember(names));
+  paper->add_option("KIND", options->kinds, "gouraud, textured, supersampled, supersampled_textured; default: all four")
+      ->check(CLI::IsMember(names));
   paper->add_option("--size", options->size, "frame, WxH")->capture_default_str();
   paper->add_option("--frames", options->frames, "of each animation; default: all")->check(above_zero());
   paper->add_option("--out", options->out, "folder for the plots of blocks");

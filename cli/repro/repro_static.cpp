@@ -8,10 +8,10 @@
 #include <memory>
 
 #include "cli/commands.hpp"
-#include "cli/plots/gnuplot.hpp"
 #include "cli/common/numbers.hpp"
-#include "cli/plots/picture.hpp"
 #include "cli/common/progress.hpp"
+#include "cli/plots/gnuplot.hpp"
+#include "cli/plots/picture.hpp"
 #include "study/papers/static_experiment.hpp"
 
 namespace halfspace::cli {
@@ -30,9 +30,9 @@ struct MethodName {
   const char *key, *text, *colour;
 };
 constexpr MethodName kMethods[model::kStaticMethods] = {{"all", "everything drawn", "#c0392b"},
-                                                          {"no_query", "S-buffer, no query", "#e9a13b"},
-                                                          {"query", "S-buffer, query", "#4d6a8a"},
-                                                          {"query_many", "S-buffers, query", "#2a9d5c"}};
+                                                        {"no_query", "S-buffer, no query", "#e9a13b"},
+                                                        {"query", "S-buffer, query", "#4d6a8a"},
+                                                        {"query_many", "S-buffers, query", "#2a9d5c"}};
 
 std::string method_text(std::size_t m, int buffers) {
   return m + 1 == model::kStaticMethods ? fmt::format("{} {}", buffers, kMethods[m].text) : kMethods[m].text;
@@ -43,8 +43,12 @@ Json to_json(const Spread& s) {
 }
 
 Json to_json(const MethodFrames& f) {
-  return {{"objects_drawn", to_json(f.drawn)}, {"redrawn", to_json(f.redrawn)},     {"triangles", to_json(f.triangles)},
-          {"cycles", to_json(f.cycles)},       {"ms", to_json(f.milliseconds)},     {"starts", f.starts},
+  return {{"objects_drawn", to_json(f.drawn)},
+          {"redrawn", to_json(f.redrawn)},
+          {"triangles", to_json(f.triangles)},
+          {"cycles", to_json(f.cycles)},
+          {"ms", to_json(f.milliseconds)},
+          {"starts", f.starts},
           {"updates", f.updates}};
 }
 

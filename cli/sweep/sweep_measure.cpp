@@ -9,8 +9,8 @@
 #include <mutex>
 #include <thread>
 
-#include "cli/common/progress.hpp"
 #include "cli/common/area.hpp"
+#include "cli/common/progress.hpp"
 #include "ref/error.hpp"
 #include "vectors/staging.hpp"
 
@@ -79,9 +79,9 @@ void compute_point(const Sweep& sweep, const SweepPoint& point) {
   const fs::path out(sweep.input.out);
   const SweepConfig& config = sweep.configs[point.config];
   // An area works under the point's name, so that points at the same time do not meet.
-  const Json result = point.is_area
-                          ? measure_area(config.configuration(), sweep.targets, (out / "area" / fs::path(point.file).stem()).string())
-                          : compute_picture(sweep.scenes[point.scene], config);
+  const Json result = point.is_area ? measure_area(config.configuration(), sweep.targets,
+                                                   (out / "area" / fs::path(point.file).stem()).string())
+                                    : compute_picture(sweep.scenes[point.scene], config);
   const Json json = {{"format", "halfspace-point 1"}, {"point", point.what}, {"result", result}};
   model::write_file((out / point.file).string(), json.dump(1) + "\n");
 }

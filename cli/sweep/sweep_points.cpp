@@ -13,8 +13,8 @@
 #include "cli/common/area.hpp"
 #include "ref/error.hpp"
 #include "ref/geometry/geometry.hpp"
-#include "ref/scene/scene.hpp"
 #include "ref/geometry/triangle_list.hpp"
+#include "ref/scene/scene.hpp"
 
 namespace halfspace::cli {
 namespace {

@@ -56,8 +56,8 @@ struct DepthEntry {
   typename F::DepthGradient dx, dy;
 };
 
-// TdbV, the triangle database for visibility: entry index − 1, of visible triangles alone. Without F::kTestsPlanes nothing
-// reads or writes it.
+// TdbV, the triangle database for visibility: entry index − 1, of visible triangles alone. Without F::kTestsPlanes
+// nothing reads or writes it.
 template <class F>
 struct VisibilityDatabase {
   DepthEntry<F> entry[F::kTestsPlanes ? F::kTriangles : 1];

@@ -7,47 +7,47 @@
 
 namespace halfspace {
 
-// Gouraud: colours are planes over a triangle. Flat: a triangle has one colour, that of its first vertex as given. Phong: normals
-// are planes, and each visible pixel is lit. Motion: a frame between two key frames; places in these are planes, and a visible
-// pixel comes to vectors to them, which motion_compensate fetches its colour along.
+// Gouraud: colours are planes over a triangle. Flat: a triangle has one colour, that of its first vertex as given.
+// Phong: normals are planes, and each visible pixel is lit. Motion: a frame between two key frames; places in these are
+// planes, and a visible pixel comes to vectors to them, which motion_compensate fetches its colour along.
 enum class Shading { kGouraud, kFlat, kPhong, kMotion };
 
-// Index rendering, where the depth of a pixel comes from that a fragment is tested against. Type δ: a Z-buffer keeps it.
-// Type γ: there is none; the plane of the triangle whose index is stored is fetched from TdbV and evaluated again.
+// Index rendering, where the depth of a pixel comes from that a fragment is tested against. Type δ: a Z-buffer keeps
+// it. Type γ: there is none; the plane of the triangle whose index is stored is fetched from TdbV and evaluated again.
 enum class Architecture { kDelta, kGamma };
 
 // Texture at scan-out: none, the texel that a pixel's centre lies in, or four of them weighted.
 enum class TextureFilter { kNone, kNearest, kBilinear };
 
-// How texture coordinates, or places in a key frame, vary over a triangle on the screen: by planes of u and v, or by planes of
-// u/w, v/w and 1/w and a division a pixel.
+// How texture coordinates, or places in a key frame, vary over a triangle on the screen: by planes of u and v, or by
+// planes of u/w, v/w and 1/w and a division a pixel.
 enum class TextureMapping { kAffine, kPerspective };
 
-// What motion_compensate takes of a key frame: the pixel that a place lies in; two by two, weighted by distance along each axis, or
-// by area and distance; or four by four, with the weights of Catmull and Rom.
+// What motion_compensate takes of a key frame: the pixel that a place lies in; two by two, weighted by distance along
+// each axis, or by area and distance; or four by four, with the weights of Catmull and Rom.
 enum class KeyFilter { kNone, kNearest, kBilinear, kArea, kBicubic };
 
-// A configuration, as in its .toml file. Nothing here can be derived from the rest. What is not there has no numbers: they
-// are 0.
+// A configuration, as in its .toml file. Nothing here can be derived from the rest. What is not there has no numbers:
+// they are 0.
 struct Config {
   const char* name;
-  int width, height;     // largest frame, pixels
-  int triangles;         // triangles a frame; indices 1 … triangles, 0 is the background
-  int range_bits;        // vertices lie in [−2^(range_bits−1), 2^(range_bits−1)) pixels: the guard band
-  int subpixel_bits;     // f: fraction bits of a vertex position
-  int depth_bits;        // b of depth: bits of a depth that is compared; 0: no depth, the first drawn wins each pixel
-  int colour_bits;       // b of a colour channel
-  int reciprocal_bits;   // r: the reciprocal of the area has r fraction bits after its leading one; 0 without planes
-  int depth_fraction;    // g of the depth plane: fraction bits of its gradients; 0 without depth
-  int colour_fraction;   // g of the colour planes; 0 without Gouraud shading
-  int lanes;             // pixels a stamp, 1, 2, 4, 8 or 16: what the units handle in a cycle
+  int width, height;    // largest frame, pixels
+  int triangles;        // triangles a frame; indices 1 … triangles, 0 is the background
+  int range_bits;       // vertices lie in [−2^(range_bits−1), 2^(range_bits−1)) pixels: the guard band
+  int subpixel_bits;    // f: fraction bits of a vertex position
+  int depth_bits;       // b of depth: bits of a depth that is compared; 0: no depth, the first drawn wins each pixel
+  int colour_bits;      // b of a colour channel
+  int reciprocal_bits;  // r: the reciprocal of the area has r fraction bits after its leading one; 0 without planes
+  int depth_fraction;   // g of the depth plane: fraction bits of its gradients; 0 without depth
+  int colour_fraction;  // g of the colour planes; 0 without Gouraud shading
+  int lanes;            // pixels a stamp, 1, 2, 4, 8 or 16: what the units handle in a cycle
   Shading shading = Shading::kGouraud;
   Architecture architecture = Architecture::kDelta;
   // Lighting in hardware; all 0 without it.
-  int normal_bits = 0;  // p: fraction bits of a component of a normal
-  int lights = 0;       // lights that are built; 0: no lighting
-  int gloss = 0;        // largest exponent of a highlight: 1, 2, 4, 8, 16; 0: no highlights
-  int materials = 0;    // materials a frame
+  int normal_bits = 0;      // p: fraction bits of a component of a normal
+  int lights = 0;           // lights that are built; 0: no lighting
+  int gloss = 0;            // largest exponent of a highlight: 1, 2, 4, 8, 16; 0: no highlights
+  int materials = 0;        // materials a frame
   int normal_fraction = 0;  // g of the planes of normals; 0 without Phong shading
   // Texture; all 0, and the mapping affine, without it.
   TextureFilter texture = TextureFilter::kNone;
@@ -56,7 +56,8 @@ struct Config {
   int textures = 0;             // a frame
   int coordinate_bits = 0;      // b of a texture coordinate
   int coordinate_fraction = 0;  // g of the planes of texture coordinates
-  // Frames between key frames; all 0 unless shading is kMotion, whose places have the mapping, b and g of texture coordinates.
+  // Frames between key frames; all 0 unless shading is kMotion, whose places have the mapping, b and g of texture
+  // coordinates.
   KeyFilter filter = KeyFilter::kNone;
   int vector_range = 0;     // a component of a vector lies in [−2^vector_range, 2^vector_range) pixels
   int vector_fraction = 0;  // and is a multiple of 2^−vector_fraction
@@ -64,7 +65,8 @@ struct Config {
   int face_bits = 0;        // of the number of a face, 1 … 2^face_bits − 1
   int relight = 0;          // 1: planes of what the colour in between differs by from a key's
   int samples = 0;          // pixels of the frame in between a pixel of a key frame, each way: 1, 2, 4
-  // Static objects buffers: of the number of an object, 1 … 2^object_bits − 1; 0: pixels know no object, and nothing is merged.
+  // Static objects buffers: of the number of an object, 1 … 2^object_bits − 1; 0: pixels know no object, and nothing is
+  // merged.
   int object_bits = 0;
 };
 
@@ -102,7 +104,8 @@ constexpr bool has_planes(const Config& c) { return has_depth(c) || sends_shape(
 constexpr int normal_plane_bits(const Config& c) { return is_phong(c) ? c.normal_bits + 1 : 0; }
 // Whether there are planes of colours, or of their differences; and bits of a channel of them.
 constexpr bool has_colour_planes(const Config& c) { return is_gouraud(c) || relights(c); }
-// A difference of colours has a sign, and fraction bits: half of its last place is 1/32 LSB. A filter has 2·weight_bits of them or more.
+// A difference of colours has a sign, and fraction bits: half of its last place is 1/32 LSB. A filter has 2·weight_bits
+// of them or more.
 constexpr int kDifferenceFraction = 4;
 constexpr int difference_bits(const Config& c) { return c.colour_bits + kDifferenceFraction + 1; }
 constexpr int colour_plane_bits(const Config& c) { return relights(c) ? difference_bits(c) : c.colour_bits; }
@@ -114,8 +117,9 @@ constexpr int exact_log2(int n) { return n < 2 ? 0 : 1 + exact_log2(n / 2); }
 
 constexpr int max_of(int a, int b) { return a > b ? a : b; }
 
-// Cycles that hs_plane_setup takes for the depth plane of a triangle, from its record to the plane: eight products on one
-// multiplier, each by a distance or by the reciprocal in chunks of 17 bits, and three cycles from a product to its sum.
+// Cycles that hs_plane_setup takes for the depth plane of a triangle, from its record to the plane: eight products on
+// one multiplier, each by a distance or by the reciprocal in chunks of 17 bits, and three cycles from a product to its
+// sum.
 constexpr int depth_plane_latency(const Config& c) {
   const int chunk = 17, to_sum = 3;
   const int by_distance = 2 * ((c.range_bits + c.subpixel_bits + chunk - 1) / chunk);
@@ -125,10 +129,10 @@ constexpr int depth_plane_latency(const Config& c) {
   return gradient_y + by_reciprocal + to_sum + by_distance + to_sum;
 }
 
-// Cycles at least that the RTL's triangle setup takes for a triangle that is not empty: those of the slowest of three units
-// that work on three triangles at once. The edges take 14, one of them to hand D to the divider, and one more where the
-// vertices come with D < 0; the division a quotient bit a cycle, and one to load it; a depth plane leaves before the next
-// one is begun.
+// Cycles at least that the RTL's triangle setup takes for a triangle that is not empty: those of the slowest of three
+// units that work on three triangles at once. The edges take 14, one of them to hand D to the divider, and one more
+// where the vertices come with D < 0; the division a quotient bit a cycle, and one to load it; a depth plane leaves
+// before the next one is begun.
 constexpr int setup_interval(const Config& c) {
   const int edges = has_planes(c) ? 14 : 13;
   const int division = has_planes(c) ? c.reciprocal_bits + 3 : 0;
@@ -139,51 +143,51 @@ constexpr int setup_interval(const Config& c) {
 // Why a configuration is refused; the first reason that holds. refusal_text() in vectors/ has them as sentences.
 enum class Refusal {
   kNone,
-  kFrameSize,           // 1 … 8192 pixels each way
-  kTriangles,           // 1 … 2^22
-  kSubpixelBits,        // 1 … 12: without one, a pixel centre is no position
-  kDepthBits,           // 2 … 32, or 0
-  kColourBits,          // 1 … 8
-  kLanes,               // 1, 2, 4, 8, 16
-  kFractionBits,        // 1 … 40 for g, 2 … 40 for r
-  kIdleBits,            // a number of what is not there
-  kUnlitPhong,          // Phong shading without lights
-  kIdleArchitecture,    // type γ without depth: there is no plane to evaluate
-  kFrameOutsideRange,   // the centres of all stamps, and of the stamps around the frame, are positions
-  kDepthError,          // the depth plane is off by half an LSB or more
-  kColourError,         // the colour planes are off by half an LSB or more
-  kNormalError,         // the planes of normals are off by half a unit of 2^−p or more
-  kCoordinateError,     // the planes of texture coordinates are off by half a unit or more
-  kReciprocalShort,     // a gradient keeps no more fraction bits than its reciprocal has
-  kEdgeWord,            // an edge function, with the carry of its subtraction, is one machine word
-  kNumeratorWord,       // so is the numerator of a gradient
-  kGradientWord,        // so are the halves of the product with the reciprocal, and the half that rounds it
-  kStartWord,           // so is the start of a plane
-  kShadeWord,           // so is a gradient of a colour, a normal or a texture coordinate times a pixel coordinate
-  kTestWord,            // and for type γ a depth gradient times a pixel coordinate
-  kNormalBits,          // 9 … 16: the square of a length fills the fields of a reciprocal root; all products are one word
-  kLights,              // 0 … 4: a normal takes a cycle a light
-  kGloss,               // 0, 1, 2, 4, 8, 16
-  kMaterials,           // 1 … 4096
-  kIdleLighting,        // a number of lighting where there is none
-  kCoordinateBits,      // 10 … 24: the weights of texels take 8; a factor of a multiplier of 25 bits
-  kTexels,              // 4 … 2^20, a power of two: the place of a texel, shifted for its texture, is one word
-  kTextures,            // 1 … 256
-  kIdleTexture,         // a number of texture where there is none
-  kMotionShading,       // a frame in between is neither lit nor textured
-  kFilter,              // there is one
-  kVector,              // range 1 … 13, fraction 1 … 8
-  kWeightBits,          // 2 … 8
-  kFaceBits,            // 1 … 22
-  kRelight,             // 0, 1
-  kSamples,             // 1, 2, 4
-  kIdleMotion,          // a number of motion where there is none
-  kObjectBits,          // 0 … 22
-  kObjectsNeedDepth,    // a merge compares depths that a Z-buffer holds: not without it, and not of a frame in between
+  kFrameSize,          // 1 … 8192 pixels each way
+  kTriangles,          // 1 … 2^22
+  kSubpixelBits,       // 1 … 12: without one, a pixel centre is no position
+  kDepthBits,          // 2 … 32, or 0
+  kColourBits,         // 1 … 8
+  kLanes,              // 1, 2, 4, 8, 16
+  kFractionBits,       // 1 … 40 for g, 2 … 40 for r
+  kIdleBits,           // a number of what is not there
+  kUnlitPhong,         // Phong shading without lights
+  kIdleArchitecture,   // type γ without depth: there is no plane to evaluate
+  kFrameOutsideRange,  // the centres of all stamps, and of the stamps around the frame, are positions
+  kDepthError,         // the depth plane is off by half an LSB or more
+  kColourError,        // the colour planes are off by half an LSB or more
+  kNormalError,        // the planes of normals are off by half a unit of 2^−p or more
+  kCoordinateError,    // the planes of texture coordinates are off by half a unit or more
+  kReciprocalShort,    // a gradient keeps no more fraction bits than its reciprocal has
+  kEdgeWord,           // an edge function, with the carry of its subtraction, is one machine word
+  kNumeratorWord,      // so is the numerator of a gradient
+  kGradientWord,       // so are the halves of the product with the reciprocal, and the half that rounds it
+  kStartWord,          // so is the start of a plane
+  kShadeWord,          // so is a gradient of a colour, a normal or a texture coordinate times a pixel coordinate
+  kTestWord,           // and for type γ a depth gradient times a pixel coordinate
+  kNormalBits,      // 9 … 16: the square of a length fills the fields of a reciprocal root; all products are one word
+  kLights,          // 0 … 4: a normal takes a cycle a light
+  kGloss,           // 0, 1, 2, 4, 8, 16
+  kMaterials,       // 1 … 4096
+  kIdleLighting,    // a number of lighting where there is none
+  kCoordinateBits,  // 10 … 24: the weights of texels take 8; a factor of a multiplier of 25 bits
+  kTexels,          // 4 … 2^20, a power of two: the place of a texel, shifted for its texture, is one word
+  kTextures,        // 1 … 256
+  kIdleTexture,     // a number of texture where there is none
+  kMotionShading,   // a frame in between is neither lit nor textured
+  kFilter,          // there is one
+  kVector,          // range 1 … 13, fraction 1 … 8
+  kWeightBits,      // 2 … 8
+  kFaceBits,        // 1 … 22
+  kRelight,         // 0, 1
+  kSamples,         // 1, 2, 4
+  kIdleMotion,      // a number of motion where there is none
+  kObjectBits,      // 0 … 22
+  kObjectsNeedDepth,  // a merge compares depths that a Z-buffer holds: not without it, and not of a frame in between
 };
 
-// |error| <= 2^(b−r) + (|dx| + |dy|)·2^−(g+1) < ½ LSB, for the farthest vertex that a pixel of the frame can be measured
-// from; both sides times 2^(g+1).
+// |error| <= 2^(b−r) + (|dx| + |dy|)·2^−(g+1) < ½ LSB, for the farthest vertex that a pixel of the frame can be
+// measured from; both sides times 2^(g+1).
 constexpr bool plane_error_ok(const Config& c, int b, int g) {
   const std::int64_t reach = (std::int64_t(1) << c.range_bits) + c.width + c.height;
   const int n = b + g + 1 - c.reciprocal_bits;
@@ -238,7 +242,8 @@ constexpr Refusal refusal(const Config& c) {
   if (has_objects(c) && (!stores_depth(c) || has_motion(c))) return Refusal::kObjectsNeedDepth;
   const int longer_side = c.width > c.height ? c.width : c.height;
   const int margin = 3 * 4;  // pixels of the stamps around the frame, 4 at most each way
-  if (!within(c.range_bits, 1, 20) || longer_side + margin > 1 << (c.range_bits - 1)) return Refusal::kFrameOutsideRange;
+  if (!within(c.range_bits, 1, 20) || longer_side + margin > 1 << (c.range_bits - 1))
+    return Refusal::kFrameOutsideRange;
   if (has_depth(c) && !plane_error_ok(c, c.depth_bits, c.depth_fraction)) return Refusal::kDepthError;
   const int colour = colour_plane_bits(c);
   if (has_colour_planes(c) && !plane_error_ok(c, colour, c.colour_fraction)) return Refusal::kColourError;
@@ -265,8 +270,8 @@ constexpr Refusal refusal(const Config& c) {
       normal + c.normal_fraction + c.subpixel_bits > 63 || coordinate + c.coordinate_fraction + c.subpixel_bits > 63) {
     return Refusal::kStartWord;
   }
-  const int plane = max_of(max_of(colour + c.colour_fraction, normal + c.normal_fraction),
-                           coordinate + c.coordinate_fraction);
+  const int plane =
+      max_of(max_of(colour + c.colour_fraction, normal + c.normal_fraction), coordinate + c.coordinate_fraction);
   if (plane + bits_for(longer_side) > 64) return Refusal::kShadeWord;
   if (tests_planes(c) && c.depth_bits + c.depth_fraction + bits_for(longer_side) > 64) return Refusal::kTestWord;
   if (!has_lighting(c)) {

@@ -69,8 +69,8 @@ constexpr ChannelFormats channel_formats(const Config& config, int b, int g) {
   // vertices, and the error is below ½ (see refusal), so the rounded value is one of 0 … 2^b − 1.
   t.plane = {b + g, b, false};
   t.gradient = {b + g, b, true};
-  // N = dv1·dy2 − dv2·dy1 = v1·dy2 − v2·dy1 + v0·(dy1 − dy2): each v is in [0, 2^b), and the three factors sum to zero, so
-  // N is at most 2^b times their positive part, a distance between two vertices: |N| < 2^(b+c).
+  // N = dv1·dy2 − dv2·dy1 = v1·dy2 − v2·dy1 + v0·(dy1 − dy2): each v is in [0, 2^b), and the three factors sum to zero,
+  // so N is at most 2^b times their positive part, a distance between two vertices: |N| < 2^(b+c).
   t.numerator = {b + c + 1, b + config.range_bits + 1, true};
   // The start of a plane lies a multiple of 2^−f pixels from vertex 0: it is summed with f + g fraction bits, modulo
   // 2^b, and takes the gradients modulo 2^(b+f).
@@ -87,8 +87,8 @@ constexpr FormatTable lighting_formats(const Config& c, FormatTable t) {
   t.light = {bits_for(lights - 1), bits_for(lights - 1), false};
   // Squarings: 0 … log2 of the largest exponent.
   t.gloss = {bits_for(exact_log2(c.gloss)), bits_for(exact_log2(c.gloss)), false};
-  // A normal has any length, so that a component never needs the value 1; nor, but for half a last place, has a unit vector
-  // of p + 1 bits. Directions are unit vectors; u + 2 bits of them, 18, are a factor of an FPGA's multiplier.
+  // A normal has any length, so that a component never needs the value 1; nor, but for half a last place, has a unit
+  // vector of p + 1 bits. Directions are unit vectors; u + 2 bits of them, 18, are a factor of an FPGA's multiplier.
   t.normal = {p + 1, 1, true};
   t.direction = {u + 2, 1, true};
   // At most 3·(2^p)² < 2^(2p+2) units, an even number of bits: its root is shifted by half as many places.
@@ -97,7 +97,8 @@ constexpr FormatTable lighting_formats(const Config& c, FormatTable t) {
   t.root_shift = {bits_for(p), bits_for(p), false};  // 0 … p
   // n·L, exact: at most 3·2^p·2^(u+1) < 2^(p+u+3) units.
   t.dot = {p + u + 4, 3, true};
-  // The part of n·L above 0, with n normalized to 1 <= |n| < 2, so that it is below 2 but for what a direction is too long.
+  // The part of n·L above 0, with n normalized to 1 <= |n| < 2, so that it is below 2 but for what a direction is too
+  // long.
   t.projection = {u + 1, 1, false};
   t.cosine = {u + 1, 1, false};  // 0 … 1
   t.coefficient = {c.colour_bits + kCoefficientHead + kCoefficientFraction, c.colour_bits + kCoefficientHead, false};
@@ -105,8 +106,8 @@ constexpr FormatTable lighting_formats(const Config& c, FormatTable t) {
   const int head = t.coefficient.integer + bits_for((has_gloss(c) ? 3 : 2) * lights);
   t.light_sum = {head + kCoefficientFraction + u, head, false};
 
-  // A component as a channel of a plane: plus 2^p units it is a whole number without a sign, as the other channels are, and the
-  // top bit inverted is all that takes.
+  // A component as a channel of a plane: plus 2^p units it is a whole number without a sign, as the other channels are,
+  // and the top bit inverted is all that takes.
   const ChannelFormats normal = channel_formats(c, p + 1, c.normal_fraction);
   t.normal_offset = normal.value;
   t.normal_plane = normal.plane;
@@ -121,7 +122,8 @@ constexpr FormatTable lighting_formats(const Config& c, FormatTable t) {
 constexpr FormatTable motion_formats(const Config& c, FormatTable t) {
   const int faces = has_motion(c) ? c.face_bits : 1;
   t.face = {faces, faces, false};  // 0: background
-  // Where the places of a triangle in a key frame begin, in whole pixels, and log2 of how far they go at most: positions.
+  // Where the places of a triangle in a key frame begin, in whole pixels, and log2 of how far they go at most:
+  // positions.
   t.origin = {c.range_bits, c.range_bits, true};
   t.extent = {bits_for(c.range_bits), bits_for(c.range_bits), false};
   t.vector = {c.vector_range + 1 + c.vector_fraction, c.vector_range + 1, true};
@@ -131,8 +133,8 @@ constexpr FormatTable motion_formats(const Config& c, FormatTable t) {
   const int tiles_y = (c.height + kKeyTile * samples - 1) / (kKeyTile * samples);
   t.tile_x = {bits_for(tiles_x - 1), bits_for(tiles_x - 1), false};
   t.tile_y = {bits_for(tiles_y - 1), bits_for(tiles_y - 1), false};
-  // A place in a key frame less half a pixel of that, in pixels in between: at least ½ − 2^r − 2, and less than side + 2^r, which
-  // has r + 1 bits or more. The pixels of a key frame move the point.
+  // A place in a key frame less half a pixel of that, in pixels in between: at least ½ − 2^r − 2, and less than side +
+  // 2^r, which has r + 1 bits or more. The pixels of a key frame move the point.
   const int reach = 1 + bits_for(max_of(c.width, c.height) + (1 << c.vector_range));
   t.key_place = {reach + c.vector_fraction, reach - point, true};
   t.tap_weight = {w + 2, 2, true};  // −½ … 1
@@ -170,7 +172,7 @@ constexpr FormatTable texture_formats(const Config& c, FormatTable t) {
   t.coordinate_start_gradient = coordinate.start_gradient;
   t.inverse = {kInverseFraction, 0, false};
   t.inverse_shift = {bits_for(b - 1), bits_for(b - 1), false};  // leading zeros of q >= 1
-  t.texel_place = {side + kWeightBits, side, false};        // in texels, modulo the side
+  t.texel_place = {side + kWeightBits, side, false};            // in texels, modulo the side
   t.filtered = {c.colour_bits + kFilteredFraction, c.colour_bits, false};
   return t;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What units do that take the triangles of a stamp one after the other: the lanes of the next triangle, and its plane in
-// these lanes.
+// What units do that take the triangles of a stamp one after the other: the lanes of the next triangle, and its plane
+// in these lanes.
 #ifndef HALFSPACE_HLS_FORMATS_LANES_HPP_
 #define HALFSPACE_HLS_FORMATS_LANES_HPP_
 
@@ -9,8 +9,8 @@
 
 namespace halfspace {
 
-// The triangle of the first lane that waits: returns its index, puts its lanes that wait into `group` and takes them out of
-// `waits`. 0 if no lane waits, as none of index 0 does.
+// The triangle of the first lane that waits: returns its index, puts its lanes that wait into `group` and takes them
+// out of `waits`. 0 if no lane waits, as none of index 0 does.
 template <class F>
 int next_group(const typename F::Index (&index)[F::kLanes], Bit (&waits)[F::kLanes], Bit (&group)[F::kLanes]) {
   int first = F::kLanes;
@@ -42,8 +42,8 @@ Plane plane_at(const Plane& origin, const Gradient& dx, const Gradient& dy, int 
 
 // The values of a plane, rounded down, in the lanes of `group`, from pixel (x, y) on. Modulo the width of Plane.
 template <class F, class Plane, class Gradient, class Value>
-void plane_lanes(const Plane& origin, const Gradient& dx, const Gradient& dy, int x, int y, const Bit (&group)[F::kLanes],
-                 Value (&value)[F::kLanes]) {
+void plane_lanes(const Plane& origin, const Gradient& dx, const Gradient& dy, int x, int y,
+                 const Bit (&group)[F::kLanes], Value (&value)[F::kLanes]) {
   const Plane start = plane_at<F>(origin, dx, dy, x, y);
   // Unsigned: the planes wrap, and so may these.
   using Word = typename Plane::Carrier;

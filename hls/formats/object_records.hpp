@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The records of static objects buffers, with F::kHasObjects: pixels that know their object, and what ztest_merge is told and tells.
-// The background is {depth 2^b − 1, object 0}. All places are in stamps.
+// The records of static objects buffers, with F::kHasObjects: pixels that know their object, and what ztest_merge is
+// told and tells. The background is {depth 2^b − 1, object 0}. All places are in stamps.
 #ifndef HALFSPACE_HLS_FORMATS_OBJECT_RECORDS_HPP_
 #define HALFSPACE_HLS_FORMATS_OBJECT_RECORDS_HPP_
 
@@ -49,8 +49,8 @@ struct MergedEntry : Entry<F> {
 template <class F>
 struct Merge {
   static constexpr const char* kStream = "merge";
-  Bit merges;  // a word of `entry` comes with each of `stored`
-  Bit sends;   // a word of `merged` goes for each of these
+  Bit merges;                      // a word of `entry` comes with each of `stored`
+  Bit sends;                       // a word of `merged` goes for each of these
   typename F::Object first, last;  // objects that are looked for and erased; none if first > last
   typename F::Colour r, g, b;      // of the background, which erased pixels become
 
@@ -61,8 +61,8 @@ struct Merge {
   }
 };
 
-// ztest_merge → the driver, at the end of a run: the pixels of `stored` that show an object of the range, and the box of their
-// stamps. All 0 where there is none.
+// ztest_merge → the driver, at the end of a run: the pixels of `stored` that show an object of the range, and the box
+// of their stamps. All 0 where there is none.
 template <class F>
 struct Found {
   static constexpr const char* kStream = "found";

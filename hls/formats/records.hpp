@@ -3,11 +3,12 @@
 //
 // visit() names the fields once, in the order of a SystemVerilog packed struct: the first is the most significant.
 // Packing, manifests, the RTL package and the reports of mismatches all read the layout from there. Fields that
-// come once a lane stand last in the word, lane 0 in the least significant place, and first in memory, where a processor's
-// vectors find them aligned. A field that a configuration has no use for is not visited, so that no word has it: depths without
-// F::kHasDepth, depths of the Z-buffer without F::kStoresDepth, colours of the other vertices and colour planes without
-// F::kGouraud. With F::kHasLighting a triangle comes without colours, and its normals once it is visible; with F::kPhong its planes
-// are of normals. With F::kHasTexture it has planes of texture coordinates besides. With F::kHasObjects it knows its object.
+// come once a lane stand last in the word, lane 0 in the least significant place, and first in memory, where a
+// processor's vectors find them aligned. A field that a configuration has no use for is not visited, so that no word
+// has it: depths without F::kHasDepth, depths of the Z-buffer without F::kStoresDepth, colours of the other vertices
+// and colour planes without F::kGouraud. With F::kHasLighting a triangle comes without colours, and its normals once it
+// is visible; with F::kPhong its planes are of normals. With F::kHasTexture it has planes of texture coordinates
+// besides. With F::kHasObjects it knows its object.
 #ifndef HALFSPACE_HLS_FORMATS_RECORDS_HPP_
 #define HALFSPACE_HLS_FORMATS_RECORDS_HPP_
 
@@ -27,8 +28,8 @@ typename F::Depth farthest_depth() {
 // A frame's registers: stable from its first triangle to its last pixel.
 template <class F>
 struct Frame {
-  typename F::X width;   // 1 … F::kWidth pixels
-  typename F::Y height;  // 1 … F::kHeight pixels
+  typename F::X width;         // 1 … F::kWidth pixels
+  typename F::Y height;        // 1 … F::kHeight pixels
   typename F::Colour r, g, b;  // background
 };
 
@@ -94,9 +95,10 @@ struct Setup {
   }
 };
 
-// triangle_setup → shade_setup: what the planes need, of each triangle that is not empty and of the last. A flat triangle without
-// texture needs its colour alone. With F::kDeferred of every triangle, to visible_select; and of the visible ones and the last, in
-// which `empty` is that it is not visible, from there to shade_setup or phong_setup, and texture_setup.
+// triangle_setup → shade_setup: what the planes need, of each triangle that is not empty and of the last. A flat
+// triangle without texture needs its colour alone. With F::kDeferred of every triangle, to visible_select; and of the
+// visible ones and the last, in which `empty` is that it is not visible, from there to shade_setup or phong_setup, and
+// texture_setup.
 template <class F>
 struct Attributes {
   static constexpr const char* kStream = "attributes";
@@ -107,7 +109,8 @@ struct Attributes {
   typename F::Delta dx1, dy1, dx2, dy2;
   typename F::Shift shift;
   typename F::Reciprocal reciprocal;
-  // Where values of the vertices come later: which vertex, as given, vertex 0 is; and whether the other two follow it backwards.
+  // Where values of the vertices come later: which vertex, as given, vertex 0 is; and whether the other two follow it
+  // backwards.
   VertexNumber first;
   Bit turned;
   typename F::Colour r[3], g[3], b[3];  // flat: at [0]
@@ -151,8 +154,8 @@ struct Planes {
   }
 };
 
-// phong_setup → TdbS, with F::kPhong: the entry of triangle `index`. A component is 2^p units more than it is, so that it has no
-// sign.
+// phong_setup → TdbS, with F::kPhong: the entry of triangle `index`. A component is 2^p units more than it is, so that
+// it has no sign.
 template <class F>
 struct NormalPlanes {
   static constexpr const char* kStream = "planes";
@@ -183,7 +186,7 @@ struct TextureCoordinates {
   Bit last;
   typename F::Index index;
   typename F::TextureNumber texture;  // 0: none, and the rest means nothing
-  typename F::Repeats repeats;          // e
+  typename F::Repeats repeats;        // e
   typename F::Coordinate s[3], t[3], q[3];
 
   template <class V>
@@ -219,8 +222,8 @@ struct TexturePlanes {
 // The key frames: the one before a frame in between, and the one after it.
 constexpr int kKeys = 2;
 
-// Where a triangle of a frame in between is in a key frame. With a place (x, y) less the origin, u = (place − origin)/2^e in
-// [0, 1]², and W = w of a vertex at the key over its w in between, for its vertices in the order given:
+// Where a triangle of a frame in between is in a key frame. With a place (x, y) less the origin, u = (place −
+// origin)/2^e in [0, 1]², and W = w of a vertex at the key over its w in between, for its vertices in the order given:
 //
 //   perspective   q = (2^b − 1)·W/W_most, rounded, 1 at least;  s = q·u_x,  t = q·u_y, rounded
 //   affine        s = 2^b·u_x,  t = 2^b·u_y, rounded, 2^b − 1 at most
@@ -230,7 +233,8 @@ struct KeyPlaces {
   typename F::Origin origin_x, origin_y;
   typename F::Extent extent;  // e
   typename F::Coordinate s[3], t[3], q[3];
-  typename F::Difference r[3], g[3], b[3];  // F::kRelights: colour in between less that at the key, plus 2^c, in units of 2^−d
+  typename F::Difference r[3], g[3],
+      b[3];  // F::kRelights: colour in between less that at the key, plus 2^c, in units of 2^−d
 };
 
 // geometry → motion_setup, with F::kHasMotion, in answer to a Visible that says so.
@@ -252,10 +256,10 @@ struct MotionVectors {
  private:
   using Names = const char* const[22];
   static constexpr Names kNames[kKeys] = {
-      {"there_0", "origin_x_0", "origin_y_0", "extent_0", "s0_0", "s1_0", "s2_0", "t0_0", "t1_0", "t2_0", "q0_0", "q1_0", "q2_0",
-       "r0_0", "r1_0", "r2_0", "g0_0", "g1_0", "g2_0", "b0_0", "b1_0", "b2_0"},
-      {"there_1", "origin_x_1", "origin_y_1", "extent_1", "s0_1", "s1_1", "s2_1", "t0_1", "t1_1", "t2_1", "q0_1", "q1_1", "q2_1",
-       "r0_1", "r1_1", "r2_1", "g0_1", "g1_1", "g2_1", "b0_1", "b1_1", "b2_1"}};
+      {"there_0", "origin_x_0", "origin_y_0", "extent_0", "s0_0", "s1_0", "s2_0", "t0_0", "t1_0", "t2_0", "q0_0",
+       "q1_0",    "q2_0",       "r0_0",       "r1_0",     "r2_0", "g0_0", "g1_0", "g2_0", "b0_0", "b1_0", "b2_0"},
+      {"there_1", "origin_x_1", "origin_y_1", "extent_1", "s0_1", "s1_1", "s2_1", "t0_1", "t1_1", "t2_1", "q0_1",
+       "q1_1",    "q2_1",       "r0_1",       "r1_1",     "r2_1", "g0_1", "g1_1", "g2_1", "b0_1", "b1_1", "b2_1"}};
   template <class V>
   static void visit_key(V&& v, KeyPlaces<F>& k, Names& n) {
     v(n[0], k.there), v(n[1], k.origin_x), v(n[2], k.origin_y), v(n[3], k.extent);
@@ -303,10 +307,12 @@ struct MotionPlanes {
  private:
   using Names = const char* const[22];
   static constexpr Names kNames[kKeys] = {
-      {"there_0", "origin_x_0", "origin_y_0", "extent_0", "s_0", "s_dx_0", "s_dy_0", "t_0", "t_dx_0", "t_dy_0", "q_0", "q_dx_0",
-       "q_dy_0", "r_0", "r_dx_0", "r_dy_0", "g_0", "g_dx_0", "g_dy_0", "b_0", "b_dx_0", "b_dy_0"},
-      {"there_1", "origin_x_1", "origin_y_1", "extent_1", "s_1", "s_dx_1", "s_dy_1", "t_1", "t_dx_1", "t_dy_1", "q_1", "q_dx_1",
-       "q_dy_1", "r_1", "r_dx_1", "r_dy_1", "g_1", "g_dx_1", "g_dy_1", "b_1", "b_dx_1", "b_dy_1"}};
+      {"there_0", "origin_x_0", "origin_y_0", "extent_0", "s_0",    "s_dx_0", "s_dy_0", "t_0",
+       "t_dx_0",  "t_dy_0",     "q_0",        "q_dx_0",   "q_dy_0", "r_0",    "r_dx_0", "r_dy_0",
+       "g_0",     "g_dx_0",     "g_dy_0",     "b_0",      "b_dx_0", "b_dy_0"},
+      {"there_1", "origin_x_1", "origin_y_1", "extent_1", "s_1",    "s_dx_1", "s_dy_1", "t_1",
+       "t_dx_1",  "t_dy_1",     "q_1",        "q_dx_1",   "q_dy_1", "r_1",    "r_dx_1", "r_dy_1",
+       "g_1",     "g_dx_1",     "g_dy_1",     "b_1",      "b_dx_1", "b_dy_1"}};
   template <class V>
   static void visit_key(V&& v, KeyPlanes<F>& k, Names& n) {
     v(n[0], k.there), v(n[1], k.origin_x), v(n[2], k.origin_y), v(n[3], k.extent);
@@ -322,17 +328,17 @@ struct MotionPlanes {
 template <class F>
 constexpr typename MotionPlanes<F>::Names MotionPlanes<F>::kNames[kKeys];
 
-// A pixel of the motion buffer, in pixels of the frame in between: the face that it shows, and for each key frame the way from its
-// centre to the place of the same point there.
+// A pixel of the motion buffer, in pixels of the frame in between: the face that it shows, and for each key frame the
+// way from its centre to the place of the same point there.
 template <class F>
 struct KeyVector {
-  Bit there;                       // 0: the point has no place in the key frame, or the vector does not fit, and is 0
+  Bit there;  // 0: the point has no place in the key frame, or the vector does not fit, and is 0
   typename F::Vector x, y;
   typename F::Difference r, g, b;  // F::kRelights: colour in between less that at the key, plus 2^c, in units of 2^−d
 };
 
-// motion_field → motion buffer → motion_compensate: a word a covered pixel. A frame whose last stamp covers nothing ends with a
-// word of face 0.
+// motion_field → motion buffer → motion_compensate: a word a covered pixel. A frame whose last stamp covers nothing
+// ends with a word of face 0.
 template <class F>
 struct Motion {
   static constexpr const char* kStream = "motion";
@@ -352,8 +358,8 @@ struct Motion {
   }
 };
 
-// raster_pineda → ztest_plane, with F::kTestsPlanes alone: the depth plane of each triangle, as in its Setup, before its
-// first stamp. Of an empty triangle it means nothing.
+// raster_pineda → ztest_plane, with F::kTestsPlanes alone: the depth plane of each triangle, as in its Setup, before
+// its first stamp. Of an empty triangle it means nothing.
 template <class F>
 struct TriangleDepth {
   static constexpr const char* kStream = "triangle_depth";
@@ -370,15 +376,15 @@ struct TriangleDepth {
   }
 };
 
-// raster_pineda → the Z-test, ztest_index or ztest_plane: a stamp with a covered pixel. A triangle that covers none sends one
-// with an empty mask, for the end of the triangle.
+// raster_pineda → the Z-test, ztest_index or ztest_plane: a stamp with a covered pixel. A triangle that covers none
+// sends one with an empty mask, for the end of the triangle.
 template <class F>
 struct Stamp {
   static constexpr const char* kStream = "stamp";
   Bit mask[F::kLanes];
   typename F::Depth depth[F::kLanes];  // of the plane, also where the mask is 0 and it means nothing
-  Bit last;           // of the frame
-  Bit triangle_last;  // of the triangle
+  Bit last;                            // of the frame
+  Bit triangle_last;                   // of the triangle
   typename F::Index index;
   typename F::X x;  // in stamps
   typename F::Y y;
@@ -482,8 +488,8 @@ struct TextureEntry {
 };
 
 // A word of the texture memory. Texel (i, j) of a texture of width 2^n has the address base + j·2^n + i; with
-// F::kBilinear, in four banks, base + ((j div 2)·2^(n−1) + i div 2)·4 + (j mod 2)·2 + i mod 2: both sides are 2 or more,
-// and the bank comes last.
+// F::kBilinear, in four banks, base + ((j div 2)·2^(n−1) + i div 2)·4 + (j mod 2)·2 + i mod 2: both sides are 2 or
+// more, and the bank comes last.
 template <class F>
 struct Texel {
   static constexpr const char* kStream = "texel";
@@ -511,7 +517,8 @@ struct Light {
   }
 };
 
-// What a material makes of a light, in LSB of the colour. The bases of a material's lights add up to what it has without any.
+// What a material makes of a light, in LSB of the colour. The bases of a material's lights add up to what it has
+// without any.
 template <class F>
 struct Material {
   static constexpr const char* kStream = "material";
@@ -530,8 +537,8 @@ struct Material {
   }
 };
 
-// geometry → light_vertex, or phong_setup, in answer to a Visible that says so: the normals of the triangle's vertices in the order
-// given, of any length; one of length 0 shows the base alone. `last` and `index` are those of the Visible.
+// geometry → light_vertex, or phong_setup, in answer to a Visible that says so: the normals of the triangle's vertices
+// in the order given, of any length; one of length 0 shows the base alone. `last` and `index` are those of the Visible.
 template <class F>
 struct Normals {
   static constexpr const char* kStream = "normals";

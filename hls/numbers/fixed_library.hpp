@@ -67,7 +67,7 @@ HS_FIXED_TEMPLATE HS_FIXED_SUM(true) operator-(HS_FIXED_OPERANDS) {
   return HS_FIXED_SUM(true)::from_result(a.number - b.number);
 }
 HS_FIXED_TEMPLATE LibraryFixed<L, W1 + W2, I1 + I2, S1 || S2> operator*(HS_FIXED_OPERANDS) {
-  return LibraryFixed<L, W1 + W2, I1 + I2, S1 || S2>::from_result(a.number * b.number);
+  return LibraryFixed < L, W1 + W2, I1 + I2, S1 || S2 > ::from_result(a.number * b.number);
 }
 #define HS_FIXED_COMPARE(op)                                                       \
   HS_FIXED_TEMPLATE bool operator op(HS_FIXED_OPERANDS) {                          \

@@ -60,8 +60,7 @@ struct Fixed {
     // Lossless when no integer bit is dropped and no sign is lost.
     constexpr bool kFits = I - int(S) >= I2 - int(S2) && (S || !S2);
     using Work = fixed_detail::Carrier<fixed_detail::max(W, W2), S2>;
-    return kFits ? Carrier(scale<kShift>(Work(other.bits)))
-                 : fixed_detail::wrap<W, S>(scale<kShift>(Work(other.bits)));
+    return kFits ? Carrier(scale<kShift>(Work(other.bits))) : fixed_detail::wrap<W, S>(scale<kShift>(Work(other.bits)));
   }
 };
 

@@ -12,9 +12,8 @@ namespace fixed_detail {
 constexpr int max(int a, int b) { return a > b ? a : b; }
 
 template <int W, bool S>
-using Carrier = typename std::conditional<
-    (W <= 32), typename std::conditional<S, std::int32_t, std::uint32_t>::type,
-    typename std::conditional<S, std::int64_t, std::uint64_t>::type>::type;
+using Carrier = typename std::conditional<(W <= 32), typename std::conditional<S, std::int32_t, std::uint32_t>::type,
+                                          typename std::conditional<S, std::int64_t, std::uint64_t>::type>::type;
 
 // Keeps the low W bits of v and extends them to the carrier.
 template <int W, bool S, class T>
@@ -29,8 +28,8 @@ constexpr Carrier<W, S> wrap(T v) {
 template <class A, class B>
 struct Sum {
   static constexpr bool kSigned = A::kSigned || B::kSigned;
-  static constexpr int kInteger = 1 + max(A::kInteger + int(B::kSigned && !A::kSigned),
-                                          B::kInteger + int(A::kSigned && !B::kSigned));
+  static constexpr int kInteger =
+      1 + max(A::kInteger + int(B::kSigned && !A::kSigned), B::kInteger + int(A::kSigned && !B::kSigned));
   static constexpr int kFraction = max(A::kFraction, B::kFraction);
   static constexpr int kWidth = kInteger + kFraction;
 };

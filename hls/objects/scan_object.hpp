@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The D-buffer at scan-out: which object each pixel shows, and how deep. Indices are few and are given anew in every frame, objects
-// are many and keep their numbers; a table tells the object of an index.
+// The D-buffer at scan-out: which object each pixel shows, and how deep. Indices are few and are given anew in every
+// frame, objects are many and keep their numbers; a table tells the object of an index.
 //
 // A cycle for each different triangle in a stamp, one if there is none: the shader beside it takes no fewer.
 #ifndef HALFSPACE_HLS_OBJECTS_SCAN_OBJECT_HPP_

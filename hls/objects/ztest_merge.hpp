@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Z-test of whole buffers (static objects buffer): what is stored against what is drawn, the nearer one stays; objects that
-// leave are erased before, and counted. The count alone is the occlusion query: of an object that no pixel of its S-buffer shows
-// nothing has to be erased.
+// The Z-test of whole buffers (static objects buffer): what is stored against what is drawn, the nearer one stays;
+// objects that leave are erased before, and counted. The count alone is the occlusion query: of an object that no pixel
+// of its S-buffer shows nothing has to be erased.
 //
-//   key      {depth, object}, compared as one number, depth first; the lesser is nearer. Objects are numbered in the order
+//   key      {depth, object}, compared as one number, depth first; the lesser is nearer. Objects are numbered in the
+//   order
 //            in which the renderer draws them, so this is its Z-test: less, and the first drawn wins a tie
-//   merged   the stored entry, erased if its object is of the range; or the drawn one, if nothing is stored or its key is less
+//   merged   the stored entry, erased if its object is of the range; or the drawn one, if nothing is stored or its key
+//   is less
 //
 // Equal keys are of one object, and the stored entry stays: it was drawn first.
 //
-// A run is one word of `merge`, words of `stored` up to that with `last`, with `merges` as many of `entry` at the same places, with
-// `sends` as many of `merged`, and one of `found`. They may be any stamps of the frame, in any order: all, or a box.
+// A run is one word of `merge`, words of `stored` up to that with `last`, with `merges` as many of `entry` at the same
+// places, with `sends` as many of `merged`, and one of `found`. They may be any stamps of the frame, in any order: all,
+// or a box.
 //
 //   frame             merges, sends, no range; stored: an S-buffer
 //   add               the same, and what is sent is stored

@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// The composition: which unit feeds which. Nothing else names two stages. In hardware each unit is a process that runs on
-// its streams for ever (hls/top/ has their tops); natively a call takes one triangle, or one stamp, through all of them.
+// The composition: which unit feeds which. Nothing else names two stages. In hardware each unit is a process that runs
+// on its streams for ever (hls/top/ has their tops); natively a call takes one triangle, or one stamp, through all of
+// them.
 #ifndef HALFSPACE_HLS_PIPELINE_PIPELINE_HPP_
 #define HALFSPACE_HLS_PIPELINE_PIPELINE_HPP_
 
-#include "hls/shade/light_vertex.hpp"
 #include "hls/motion/motion_field.hpp"
 #include "hls/motion/motion_setup.hpp"
-#include "hls/shade/phong_setup.hpp"
-#include "hls/raster/raster_pineda.hpp"
-#include "hls/shade/scan_index.hpp"
 #include "hls/objects/scan_object.hpp"
+#include "hls/raster/raster_pineda.hpp"
+#include "hls/setup/shade_setup.hpp"
+#include "hls/setup/triangle_setup.hpp"
+#include "hls/shade/light_vertex.hpp"
+#include "hls/shade/phong_setup.hpp"
+#include "hls/shade/scan_index.hpp"
 #include "hls/shade/shade_gouraud.hpp"
 #include "hls/shade/shade_phong.hpp"
-#include "hls/setup/shade_setup.hpp"
 #include "hls/texture/shade_texture.hpp"
 #include "hls/texture/texture_setup.hpp"
-#include "hls/setup/triangle_setup.hpp"
 #include "hls/ztest/visible_select.hpp"
 #include "hls/ztest/ztest_index.hpp"
 #include "hls/ztest/ztest_plane.hpp"
@@ -42,13 +43,13 @@ struct Streams {
   Probe<int> visits;
   Probe<PlaneTests> tests;
   Probe<Update<F>> update;
-  Stream<Visible<F>> tested, visible;  // before and after visible_select, if there is one
-  Stream<Scan<F>> scan, pixel_scan, object_scan;   // the last two with objects: copies
-  Stream<Scan<F>> shade_scan, texture_scan;        // with texture
-  Stream<Pixel<F>> lit, pixel;                     // lit: with texture alone
-  Stream<Motion<F>> motion;                        // in the place of pixel
+  Stream<Visible<F>> tested, visible;             // before and after visible_select, if there is one
+  Stream<Scan<F>> scan, pixel_scan, object_scan;  // the last two with objects: copies
+  Stream<Scan<F>> shade_scan, texture_scan;       // with texture
+  Stream<Pixel<F>> lit, pixel;                    // lit: with texture alone
+  Stream<Motion<F>> motion;                       // in the place of pixel
   Stream<ObjectPixel<F>> object_pixel;
-  Stream<Entry<F>> entry;                          // with objects, in the place of pixel
+  Stream<Entry<F>> entry;  // with objects, in the place of pixel
 };
 
 template <class F>
@@ -150,11 +151,13 @@ void pipeline_scan(const Frame<F>& frame, int y, Streams<F>& streams, Buffers<F>
 
 // A stamp, without texture.
 template <class F>
-void pipeline_light(const Frame<F>& frame, Stream<Scan<F>>& scan, Buffers<F>& buffers, Stream<Pixel<F>>& pixel, std::false_type) {
+void pipeline_light(const Frame<F>& frame, Stream<Scan<F>>& scan, Buffers<F>& buffers, Stream<Pixel<F>>& pixel,
+                    std::false_type) {
   shade_gouraud(frame, scan, buffers.shading, pixel);
 }
 template <class F>
-void pipeline_light(const Frame<F>& frame, Stream<Scan<F>>& scan, Buffers<F>& buffers, Stream<Pixel<F>>& pixel, std::true_type) {
+void pipeline_light(const Frame<F>& frame, Stream<Scan<F>>& scan, Buffers<F>& buffers, Stream<Pixel<F>>& pixel,
+                    std::true_type) {
   if (!F::kPhong) return pipeline_light(frame, scan, buffers, pixel, std::false_type());
   shade_phong(frame, scan, buffers.normals, buffers.lights, buffers.materials, pixel);
 }
@@ -175,7 +178,8 @@ void pipeline_shade(const Frame<F>& frame, Streams<F>& streams, Buffers<F>& buff
   if (!F::kHasTexture) return pipeline_shade(frame, streams, buffers, std::false_type());
   fork(shaded_stream(streams), streams.shade_scan, streams.texture_scan);
   pipeline_light(frame, streams.shade_scan, buffers, streams.lit, typename F::CompilesPhong());
-  shade_texture(streams.texture_scan, streams.lit, buffers.coordinates, buffers.textures, buffers.texels, streams.pixel);
+  shade_texture(streams.texture_scan, streams.lit, buffers.coordinates, buffers.textures, buffers.texels,
+                streams.pixel);
 }
 template <class F>
 void pipeline_shade(const Frame<F>& frame, Streams<F>& streams, Buffers<F>& buffers) {

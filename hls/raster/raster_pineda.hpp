@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Pineda edge-function rasterizer: the stamps of a triangle that hold a covered pixel, each once; and for a Z-test that
-// needs it (type γ) its depth plane before them.
+// The Pineda edge-function rasterizer: the stamps of a triangle that hold a covered pixel, each once; and for a Z-test
+// that needs it (type γ) its depth plane before them.
 //
 // A stamp is *near* when each edge function is >= 0 at one of its pixel centres at least; every covered stamp is near.
 // In a row of stamps the near ones are consecutive. The walk takes the rows from the top: it finds a near stamp of the
 // row, goes right to the last one, then left from where it began. On the way it keeps the first stamp whose neighbour
 // below is near: the next row begins there. Without one it searches from where it stands, in the direction in
 // which the edges that fail increase; edges that disagree prove the row empty.
-// One stamp a cycle; `visits` hears how many a triangle took. An adjacent stamp is entered only when it is near, so that a cycle without a covered pixel is
-// the price of a corner that only single edges reach, or of a search.
+// One stamp a cycle; `visits` hears how many a triangle took. An adjacent stamp is entered only when it is near, so
+// that a cycle without a covered pixel is the price of a corner that only single edges reach, or of a search.
 #ifndef HALFSPACE_HLS_RASTER_RASTER_PINEDA_HPP_
 #define HALFSPACE_HLS_RASTER_RASTER_PINEDA_HPP_
 
@@ -28,9 +28,9 @@ struct WalkPosition {
 // The steps of a triangle, constant while it is walked.
 template <class F>
 struct WalkSteps {
-  typename F::EdgeStep e_x[3], e_y[3];                // to the next stamp right, below
-  typename F::EdgeStep reach[3];                      // to the pixel of a stamp where the edge function is largest
-  typename F::EdgeStep lane_e[3][F::kLanes];          // to each pixel of a stamp
+  typename F::EdgeStep e_x[3], e_y[3];        // to the next stamp right, below
+  typename F::EdgeStep reach[3];              // to the pixel of a stamp where the edge function is largest
+  typename F::EdgeStep lane_e[3][F::kLanes];  // to each pixel of a stamp
   typename F::DepthPlane depth_x, depth_y, lane_depth[F::kLanes];
 };
 
@@ -74,17 +74,19 @@ Edges:
   for (int i = 0; i < 3; ++i) {
     HS_UNROLL
     using E = typename F::EdgeStep;
-    to.e[i] = from_raw<E>(raw(from.e[i]) + (step_x < 0   ? -raw(steps.e_x[i])
-                                            : step_x > 0 ? raw(steps.e_x[i])
-                                                         : 0) +
+    to.e[i] = from_raw<E>(raw(from.e[i]) +
+                          (step_x < 0   ? -raw(steps.e_x[i])
+                           : step_x > 0 ? raw(steps.e_x[i])
+                                        : 0) +
                           (step_y > 0 ? raw(steps.e_y[i]) : 0));
   }
   to.depth = from.depth;
   if (!F::kHasDepth) return to;
   using Z = typename F::DepthPlane;
-  to.depth = from_raw<Z>(raw(from.depth) + (step_x < 0   ? std::uint64_t(0) - raw(steps.depth_x)
-                                            : step_x > 0 ? std::uint64_t(raw(steps.depth_x))
-                                                         : 0) +
+  to.depth = from_raw<Z>(raw(from.depth) +
+                         (step_x < 0   ? std::uint64_t(0) - raw(steps.depth_x)
+                          : step_x > 0 ? std::uint64_t(raw(steps.depth_x))
+                                       : 0) +
                          (step_y > 0 ? raw(steps.depth_y) : 0));
   return to;
 }
@@ -206,10 +208,10 @@ Walk:
         row_done = true;
       }
     } else {
-      const bool want_right = (!near_0 && raw(in.e_dx[0]) > 0) || (!near_1 && raw(in.e_dx[1]) > 0) ||
-                              (!near_2 && raw(in.e_dx[2]) > 0);
-      const bool bar_right = (!near_0 && raw(in.e_dx[0]) <= 0) || (!near_1 && raw(in.e_dx[1]) <= 0) ||
-                             (!near_2 && raw(in.e_dx[2]) <= 0);
+      const bool want_right =
+          (!near_0 && raw(in.e_dx[0]) > 0) || (!near_1 && raw(in.e_dx[1]) > 0) || (!near_2 && raw(in.e_dx[2]) > 0);
+      const bool bar_right =
+          (!near_0 && raw(in.e_dx[0]) <= 0) || (!near_1 && raw(in.e_dx[1]) <= 0) || (!near_2 && raw(in.e_dx[2]) <= 0);
       const bool bar_left = want_right || (!near_0 && raw(in.e_dx[0]) == 0) || (!near_1 && raw(in.e_dx[1]) == 0) ||
                             (!near_2 && raw(in.e_dx[2]) == 0);
       if (!bar_right && mode != kSearchLeft && at.x < x_max) {

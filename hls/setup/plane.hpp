@@ -15,8 +15,8 @@
 #ifndef HALFSPACE_HLS_SETUP_PLANE_HPP_
 #define HALFSPACE_HLS_SETUP_PLANE_HPP_
 
-#include "hls/setup/reciprocal.hpp"
 #include "hls/formats/records.hpp"
+#include "hls/setup/reciprocal.hpp"
 
 namespace halfspace {
 
@@ -77,13 +77,14 @@ Gradient gradient_product(std::int64_t numerator, const typename F::Reciprocal& 
   const std::int64_t half = n > 0 ? std::int64_t(1) << (n - 1) : 0;
   const std::int64_t low = (numerator & kLow) * r + half;
   const std::int64_t high = (numerator >> kCut) * r + (low >> kCut);
-  const std::uint64_t wide = std::uint64_t(high) << (n < kCut ? kCut - n : 0) | std::uint64_t((low & kLow) >> (n < kCut ? n : 0));
+  const std::uint64_t wide =
+      std::uint64_t(high) << (n < kCut ? kCut - n : 0) | std::uint64_t((low & kLow) >> (n < kCut ? n : 0));
   return from_raw<Gradient>(n < kCut ? std::int64_t(wide) : high >> (n - kCut));
 }
 
 template <class F, class Channel>
-Plane<Channel> plane_setup(const PlaneBase<F>& base, const typename Channel::Value& v0, const typename Channel::Value& v1,
-                           const typename Channel::Value& v2) {
+Plane<Channel> plane_setup(const PlaneBase<F>& base, const typename Channel::Value& v0,
+                           const typename Channel::Value& v1, const typename Channel::Value& v2) {
   using Numerator = typename Channel::Numerator;
   using Start = typename Channel::Start;
   using StartGradient = typename Channel::StartGradient;

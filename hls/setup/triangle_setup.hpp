@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangle setup: edge functions, bounding box, the reciprocal of the area and the plane of depth (dual pipeline). Without
-// a plane there is no reciprocal.
+// Triangle setup: edge functions, bounding box, the reciprocal of the area and the plane of depth (dual pipeline).
+// Without a plane there is no reciprocal.
 //
 // The vertices are put in one order: vertex 0 is the topmost, of these the leftmost; 1 and 2 follow clockwise on the
 // screen, D > 0. All six orders of three vertices therefore give the same bits. With that order
@@ -30,8 +30,7 @@ template <class F>
 OrderedTriangle<F> order_vertices(const Triangle<F>& in) {
   const bool above_1 = in.y[1] < in.y[0] || (in.y[1] == in.y[0] && in.x[1] < in.x[0]);
   const int best_01 = above_1 ? 1 : 0;
-  const bool above_2 =
-      in.y[2] < in.y[best_01] || (in.y[2] == in.y[best_01] && in.x[2] < in.x[best_01]);
+  const bool above_2 = in.y[2] < in.y[best_01] || (in.y[2] == in.y[best_01] && in.x[2] < in.x[best_01]);
   const int from[5] = {0, 1, 2, 0, 1};
   const int first = above_2 ? 2 : best_01;
 
@@ -159,8 +158,8 @@ void triangle_setup(const Frame<F>& frame, Stream<Triangle<F>>& triangle, Stream
       base.inverse = inverse;
       base.dx = px - x[0];
       base.dy = py - y[0];
-      const auto depth = plane_setup<F, typename F::DepthChannel>(
-          base, t.vertices.depth[0], t.vertices.depth[1], t.vertices.depth[2]);
+      const auto depth =
+          plane_setup<F, typename F::DepthChannel>(base, t.vertices.depth[0], t.vertices.depth[1], t.vertices.depth[2]);
       out.depth = depth.start;
       out.depth_dx = depth.dx;
       out.depth_dy = depth.dy;

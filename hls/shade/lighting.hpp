@@ -3,15 +3,15 @@
 //
 //   I = Σ_i [ base_i + diffuse_i · max(0, N·L_i) + (N·L_i > 0) · specular_i · max(0, N·H_i)^(2^k) ],  N = n/|n|
 //
-// N is never made. n·L_i and n·H_i are exact, so that N·L_i > 0 is decided rightly, and each is then cut to a factor of a
-// multiplier and scaled by the one reciprocal of |n|; a cosine is at most 1. With ρ = 2^−17 of reciprocal_sqrt:
+// N is never made. n·L_i and n·H_i are exact, so that N·L_i > 0 is decided rightly, and each is then cut to a factor of
+// a multiplier and scaled by the one reciprocal of |n|; a cosine is at most 1. With ρ = 2^−17 of reciprocal_sqrt:
 //
-//   cosine               |error| <= δ = ρ + 2^−u     n·L with 1 <= |n| < 2, and its product with y < 1, each rounded to u bits
-//   after j squarings    |error| <= e_j = 2·e_(j−1) + 2^−(u+1) = 2^j·δ + (2^j − 1)·2^−(u+1)
-//   sum                  |error| <= Σ_i [ diffuse_i·δ + specular_i·e_k ]  LSB before rounding: products and sum are exact
+//   cosine               |error| <= δ = ρ + 2^−u     n·L with 1 <= |n| < 2, and its product with y < 1, each rounded to
+//   u bits after j squarings    |error| <= e_j = 2·e_(j−1) + 2^−(u+1) = 2^j·δ + (2^j − 1)·2^−(u+1) sum |error| <= Σ_i [
+//   diffuse_i·δ + specular_i·e_k ]  LSB before rounding: products and sum are exact
 //
-// docs/numerics.md has the derivation. Multipliers: 9 for q, n·L, n·H, one in the root, 2 + 4 + 6 after it; without highlights
-// 6, 1, 1 and 3.
+// docs/numerics.md has the derivation. Multipliers: 9 for q, n·L, n·H, one in the root, 2 + 4 + 6 after it; without
+// highlights 6, 1, 1 and 3.
 #ifndef HALFSPACE_HLS_SHADE_LIGHTING_HPP_
 #define HALFSPACE_HLS_SHADE_LIGHTING_HPP_
 
@@ -76,8 +76,8 @@ struct LitSum {
 };
 
 template <class F>
-LitSum<F> light_sum(const typename F::Normal (&n)[3], const typename F::MaterialNumber& material, const LightTable<F>& lights,
-                    const MaterialTable<F>& materials) {
+LitSum<F> light_sum(const typename F::Normal (&n)[3], const typename F::MaterialNumber& material,
+                    const LightTable<F>& lights, const MaterialTable<F>& materials) {
   using Sum = typename F::LightSum;
   const typename F::SquaredLength length = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
   const ReciprocalRoot<F> inverse = reciprocal_sqrt<F>(length);
@@ -117,8 +117,8 @@ typename F::Colour rounded_colour(const typename F::LightSum& sum) {
 }
 
 template <class F>
-Rgb<F> light_normal(const typename F::Normal (&n)[3], const typename F::MaterialNumber& material, const LightTable<F>& lights,
-                    const MaterialTable<F>& materials) {
+Rgb<F> light_normal(const typename F::Normal (&n)[3], const typename F::MaterialNumber& material,
+                    const LightTable<F>& lights, const MaterialTable<F>& materials) {
   const LitSum<F> sum = light_sum<F>(n, material, lights, materials);
   Rgb<F> colour;
 Round:

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The planes of the components of a normal over a triangle, for TdbS. Attributes and normals come in one order, normals not for
-// empty ones.
+// The planes of the components of a normal over a triangle, for TdbS. Attributes and normals come in one order, normals
+// not for empty ones.
 //
-// A component goes through plane_setup with 2^p units added, so that it is unsigned as depths and colours are, and so are the
-// proofs of its widths and bounds: in bits, its top bit inverted. The shader inverts it again.
-// Interval of the RTL: that of shade_setup.
+// A component goes through plane_setup with 2^p units added, so that it is unsigned as depths and colours are, and so
+// are the proofs of its widths and bounds: in bits, its top bit inverted. The shader inverts it again. Interval of the
+// RTL: that of shade_setup.
 #ifndef HALFSPACE_HLS_SHADE_PHONG_SETUP_HPP_
 #define HALFSPACE_HLS_SHADE_PHONG_SETUP_HPP_
 

@@ -3,10 +3,10 @@
 //
 //   k places as far as q·4^k < 2^T,  m = q·4^k / 2^(T−2) in [1, 4),  y = 1/√m in (½, 1)
 //
-// 1/√q = y·2^k / 2^(T/2−1). The field of m after its leading one, cut to 19 bits, names one of 128 segments an octave and a
-// place x in it; on a segment 1/√m is the line v − s·x, which lies as far above the curve in its middle as below at its
-// ends. The line alone is off by 3/4 · 2^−14 / 16 of y at most; with the cut, the last places of v and s and the one
-// rounding to 18 bits,
+// 1/√q = y·2^k / 2^(T/2−1). The field of m after its leading one, cut to 19 bits, names one of 128 segments an octave
+// and a place x in it; on a segment 1/√m is the line v − s·x, which lies as far above the curve in its middle as below
+// at its ends. The line alone is off by 3/4 · 2^−14 / 16 of y at most; with the cut, the last places of v and s and the
+// one rounding to 18 bits,
 //
 //   |y·√m − 1| < 2^−17      for every m (lighting_test tries all fields, at both ends of what the cut takes away).
 //
@@ -19,7 +19,8 @@
 
 namespace halfspace {
 
-// Bits that name a segment of an octave, and a place in it; fraction bits of v and s, which are a word of 32 bits together.
+// Bits that name a segment of an octave, and a place in it; fraction bits of v and s, which are a word of 32 bits
+// together.
 constexpr int kRootIndexBits = 7, kRootOffsetBits = 12, kRootValueFraction = 20, kRootSlopeBits = 12;
 constexpr int kRootSegments = 2 << kRootIndexBits;  // of m in [1, 2), then of m in [2, 4)
 
@@ -50,7 +51,8 @@ constexpr RootTable root_table() {
   const std::int64_t largest = (std::int64_t(1) << kRootValueFraction) - 3;
   for (int segment = 0; segment < kRootSegments; ++segment) {
     const int octave = segment >> kRootIndexBits, at = 2 * (segment % (1 << kRootIndexBits));
-    const std::int64_t left = root_sample(octave, at), middle = root_sample(octave, at + 1), right = root_sample(octave, at + 2);
+    const std::int64_t left = root_sample(octave, at), middle = root_sample(octave, at + 1),
+                       right = root_sample(octave, at + 2);
     const std::int64_t sag = (left + right) / 2 - middle;
     const std::int64_t value = (left - sag / 2 + half) >> places;
     table.value[segment] = std::uint32_t(value < largest ? value : largest);

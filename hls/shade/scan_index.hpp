@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scan-out of the I-buffer, and its clearing for the next frame in the same pass. A stamp a cycle; a call does one row of
-// stamps.
+// Scan-out of the I-buffer, and its clearing for the next frame in the same pass. A stamp a cycle; a call does one row
+// of stamps.
 #ifndef HALFSPACE_HLS_SHADE_SCAN_INDEX_HPP_
 #define HALFSPACE_HLS_SHADE_SCAN_INDEX_HPP_
 

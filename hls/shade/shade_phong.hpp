@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Phong shading at scan-out (index rendering, shading type Phong): the normal of a pixel from the planes of its triangle, rounded
-// to p bits, then lit. Each visible pixel is lit once, and what is hidden never.
+// Phong shading at scan-out (index rendering, shading type Phong): the normal of a pixel from the planes of its
+// triangle, rounded to p bits, then lit. Each visible pixel is lit once, and what is hidden never.
 //
-// One pixel after the other goes through one set of planes and one lighting core. Cycles of a stamp: its covered lanes times the
-// lights, and the lights for a stamp of background.
+// One pixel after the other goes through one set of planes and one lighting core. Cycles of a stamp: its covered lanes
+// times the lights, and the lights for a stamp of background.
 #ifndef HALFSPACE_HLS_SHADE_SHADE_PHONG_HPP_
 #define HALFSPACE_HLS_SHADE_SHADE_PHONG_HPP_
 
@@ -30,8 +30,8 @@ typename F::Normal normal_component(const typename F::NormalPlane& start, const 
 }
 
 template <class F>
-void shade_phong(const Frame<F>& frame, Stream<Scan<F>>& scan, const NormalDatabase<F>& database, const LightTable<F>& lights,
-                 const MaterialTable<F>& materials, Stream<Pixel<F>>& pixel) {
+void shade_phong(const Frame<F>& frame, Stream<Scan<F>>& scan, const NormalDatabase<F>& database,
+                 const LightTable<F>& lights, const MaterialTable<F>& materials, Stream<Pixel<F>>& pixel) {
   const Scan<F> in = scan.read();
   const int x = int(raw(in.x)) << F::kLog2LanesX, y = int(raw(in.y)) << F::kLog2LanesY;
   Pixel<F> out;
@@ -50,7 +50,8 @@ Lanes:
   Components:
     for (int i = 0; i < 3; ++i) {
       HS_UNROLL
-      normal[i] = normal_component<F>(planes.start[i], planes.dx[i], planes.dy[i], x + l % F::kLanesX, y + l / F::kLanesX);
+      normal[i] =
+          normal_component<F>(planes.start[i], planes.dx[i], planes.dy[i], x + l % F::kLanesX, y + l / F::kLanesX);
     }
     const Rgb<F> colour = light_normal<F>(normal, planes.material, lights, materials);
     out.r[l] = colour.channel[0];

@@ -21,15 +21,18 @@ namespace halfspace {
 using TopFormats = Formats<HALFSPACE_TOP_CONFIG, HALFSPACE_TOP_STAMP>;
 
 constexpr int kShadeColours = TopFormats::kGouraud ? 9 : TopFormats::kPhong ? 0 : 3;
-constexpr int kVertexColours = TopFormats::kHasColours ? kShadeColours : 0, kVertexDepths = TopFormats::kHasDepth ? 3 : 0;
-constexpr int kTriangleFields = 8 + (TopFormats::kHasObjects ? 1 : 0) + kVertexDepths + kVertexColours, kSetupFields = 17 + (TopFormats::kHasDepth ? 3 : 0);
+constexpr int kVertexColours = TopFormats::kHasColours ? kShadeColours : 0,
+              kVertexDepths = TopFormats::kHasDepth ? 3 : 0;
+constexpr int kTriangleFields = 8 + (TopFormats::kHasObjects ? 1 : 0) + kVertexDepths + kVertexColours,
+              kSetupFields = 17 + (TopFormats::kHasDepth ? 3 : 0);
 constexpr int kAttributesFields =
     3 + (TopFormats::kSendsShape ? 8 : 0) + (TopFormats::kOrdersVertices ? 2 : 0) + kVertexColours;
 constexpr int kPlanesFields = TopFormats::kGouraud ? 12 : 6;
 constexpr int kStampFields = 5 + (TopFormats::kHasDepth ? 2 : 1) * TopFormats::kLanes, kTriangleDepthFields = 6;
 constexpr int kUpdateFields = 3 + (TopFormats::kStoresDepth ? 2 : 1) * TopFormats::kLanes, kVisibleFields = 3;
 constexpr int kScanFields = 3 + TopFormats::kLanes, kPixelFields = 3 + 3 * TopFormats::kLanes;
-constexpr int kLightFields = 1 + (TopFormats::kHasGloss ? 6 : 3), kMaterialFields = 2 + (TopFormats::kHasGloss ? 10 : 6);
+constexpr int kLightFields = 1 + (TopFormats::kHasGloss ? 6 : 3),
+              kMaterialFields = 2 + (TopFormats::kHasGloss ? 10 : 6);
 constexpr int kNormalsFields = 3 + (TopFormats::kShadesPlanes ? 9 : 3), kColoursFields = 2 + kShadeColours;
 constexpr int kNormalPlanesFields = 13;
 constexpr int kTextureCoordinatesFields = 4 + (TopFormats::kPerspective ? 9 : 6);

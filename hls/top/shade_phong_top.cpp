@@ -5,9 +5,9 @@
 
 using namespace halfspace;
 
-extern "C" void shade_phong_top(int background, const std::int64_t scan[kScanFields], const NormalDatabase<TopFormats>* database,
-                                const LightTable<TopFormats>* lights, const MaterialTable<TopFormats>* materials,
-                                std::int64_t pixel[kPixelFields]) {
+extern "C" void shade_phong_top(int background, const std::int64_t scan[kScanFields],
+                                const NormalDatabase<TopFormats>* database, const LightTable<TopFormats>* lights,
+                                const MaterialTable<TopFormats>* materials, std::int64_t pixel[kPixelFields]) {
   using F = TopFormats;
   static_assert(F::kPhong, "shade_phong is of configurations with Phong shading");
   Stream<Scan<F>> in;

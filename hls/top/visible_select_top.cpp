@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Of a configuration with lighting or texture: HALFSPACE_TOP_CONFIG names it.
-#include "hls/ztest/visible_select.hpp"
 #include "hls/top/fields.hpp"
+#include "hls/ztest/visible_select.hpp"
 
 using namespace halfspace;
 
 // One triangle. Returns whether `visible_attributes` was sent.
-extern "C" int visible_select_top(const std::int64_t attributes[kAttributesFields], const std::int64_t tested[kVisibleFields],
-                                  std::int64_t visible[kVisibleFields], std::int64_t visible_attributes[kAttributesFields]) {
+extern "C" int visible_select_top(const std::int64_t attributes[kAttributesFields],
+                                  const std::int64_t tested[kVisibleFields], std::int64_t visible[kVisibleFields],
+                                  std::int64_t visible_attributes[kAttributesFields]) {
   using F = TopFormats;
   static_assert(F::kDeferred, "visible_select is of configurations with lighting or texture");
   Stream<Attributes<F>> in, out;

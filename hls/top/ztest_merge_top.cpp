@@ -9,7 +9,8 @@ using namespace halfspace;
 extern "C" void ztest_merge_top(int count, const std::int64_t merge[kMergeFields],
                                 const std::int64_t stored[TopFormats::kStamps * kEntryFields],
                                 const std::int64_t entry[TopFormats::kStamps * kEntryFields],
-                                std::int64_t merged[TopFormats::kStamps * kEntryFields], std::int64_t found[kFoundFields]) {
+                                std::int64_t merged[TopFormats::kStamps * kEntryFields],
+                                std::int64_t found[kFoundFields]) {
   using F = TopFormats;
   Stream<Merge<F>> run;
   Stream<StoredEntry<F>> in;

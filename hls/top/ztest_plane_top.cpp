@@ -5,8 +5,9 @@ using namespace halfspace;
 
 // The stamps of one triangle, into the caller's I-buffer and TdbV: the Z-test of type γ.
 extern "C" void ztest_plane_top(int count, const std::int64_t stamp[TopFormats::kStamps * kStampFields],
-                                const std::int64_t triangle_depth[kTriangleDepthFields], IndexBuffer<TopFormats>* index_buffer,
-                                VisibilityDatabase<TopFormats>* database, std::int64_t visible[kVisibleFields]) {
+                                const std::int64_t triangle_depth[kTriangleDepthFields],
+                                IndexBuffer<TopFormats>* index_buffer, VisibilityDatabase<TopFormats>* database,
+                                std::int64_t visible[kVisibleFields]) {
   using F = TopFormats;
   Stream<Stamp<F>> in;
   Stream<TriangleDepth<F>> depth;

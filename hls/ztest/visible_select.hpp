@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Deferred shading (dual pipeline): the attributes of a triangle wait here until the Z-test has told whether it is visible. Those
-// of an invisible one go no further, but the last of the frame do, as empty. Geometry hears the same word, and answers a visible
-// one with its normals.
+// Deferred shading (dual pipeline): the attributes of a triangle wait here until the Z-test has told whether it is
+// visible. Those of an invisible one go no further, but the last of the frame do, as empty. Geometry hears the same
+// word, and answers a visible one with its normals.
 //
 // A triangle is dropped for good: its index may be given to another one, as soon as geometry has its word.
 // A word a cycle.

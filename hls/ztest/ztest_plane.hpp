@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // The Z-test without a Z-buffer (index rendering, type γ): the stored index of a pixel fetches the depth plane of its
-// triangle from TdbV, the triangle database for visibility, and the stored depth is computed again. A triangle of which no
-// fragment passed is reported invisible and leaves nothing in TdbV.
+// triangle from TdbV, the triangle database for visibility, and the stored depth is computed again. A triangle of which
+// no fragment passed is reported invisible and leaves nothing in TdbV.
 //
-// A fragment passes when its depth is less than the stored one; the first drawn wins a tie. A pixel of index 0 counts as
-// farthest, 2^b − 1.
+// A fragment passes when its depth is less than the stored one; the first drawn wins a tie. A pixel of index 0 counts
+// as farthest, 2^b − 1.
 //
-// The depth computed again has the bits of the depth that a Z-buffer would hold, so type γ draws the I-buffer of type δ, in
-// every pixel. The rasterizer begins with P at pixel (x0, y0), adds and subtracts A = dx and B = dy, each b + g bits wide,
-// modulo 2^b, and keeps every bit: at pixel (x, y) it has P + A·(x − x0) + B·(y − y0) mod 2^b, whatever its way there. TdbV
-// holds C = P − A·x0 − B·y0 mod 2^b, A and B, so C + A·x + B·y mod 2^b is the same number, of which both take the upper b
-// bits. This takes all b + g bits of A, B and C: with coefficients cut to fewer, as the 20, 28 and 30 bits of the paper
-// on index rendering, the depth computed again is off by up to (x + y)·2^−(g'+1) and more LSB, g' the fraction bits that are
-// left; an order of two triangles nearer than that can turn round, and differs from type δ's.
+// The depth computed again has the bits of the depth that a Z-buffer would hold, so type γ draws the I-buffer of type
+// δ, in every pixel. The rasterizer begins with P at pixel (x0, y0), adds and subtracts A = dx and B = dy, each b + g
+// bits wide, modulo 2^b, and keeps every bit: at pixel (x, y) it has P + A·(x − x0) + B·(y − y0) mod 2^b, whatever its
+// way there. TdbV holds C = P − A·x0 − B·y0 mod 2^b, A and B, so C + A·x + B·y mod 2^b is the same number, of which
+// both take the upper b bits. This takes all b + g bits of A, B and C: with coefficients cut to fewer, as the 20, 28
+// and 30 bits of the paper on index rendering, the depth computed again is off by up to (x + y)·2^−(g'+1) and more LSB,
+// g' the fraction bits that are left; an order of two triangles nearer than that can turn round, and differs from type
+// δ's.
 //
-// A cycle for each different triangle stored in the covered lanes of a stamp, one if there is none, and one a triangle for C.
+// A cycle for each different triangle stored in the covered lanes of a stamp, one if there is none, and one a triangle
+// for C.
 #ifndef HALFSPACE_HLS_ZTEST_ZTEST_PLANE_HPP_
 #define HALFSPACE_HLS_ZTEST_ZTEST_PLANE_HPP_
 

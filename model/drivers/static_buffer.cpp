@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/drivers/static_buffer.hpp"
 
+#include "model/texture/texture.hpp"
 #include "ref/geometry/geometry.hpp"
 #include "ref/objects/static_instances.hpp"
-#include "model/texture/texture.hpp"
 
 namespace halfspace::model {
 

@@ -8,11 +8,11 @@
 #include <optional>
 #include <vector>
 
-#include "ref/objects/object_buffer.hpp"
-#include "ref/geometry/projection.hpp"
-#include "ref/scene/scene.hpp"
 #include "model/formats/configuration.hpp"
 #include "model/pipeline/engine.hpp"
+#include "ref/geometry/projection.hpp"
+#include "ref/objects/object_buffer.hpp"
+#include "ref/scene/scene.hpp"
 
 namespace halfspace::model {
 

@@ -5,9 +5,9 @@
 #include <limits>
 #include <utility>
 
-#include "ref/objects/object_raster.hpp"
 #include "model/shade/frame_lighting.hpp"
 #include "model/texture/texture.hpp"
+#include "ref/objects/object_raster.hpp"
 
 namespace halfspace::model {
 namespace {
@@ -257,10 +257,8 @@ void StaticFrames::show() {
   const NamedFrame frame = triangles(instances);
   bool sent = false;
   draw_passes(frame, frame_, [&](const std::vector<RawEntry>& pass, const Box& box) {
-    if (sent)
-      picture_ = run("frame", input(picture_, &pass, box)).merged;
-    else
-      picture_ = behind_ ? run("frame", input(*behind_, &pass, frame_)).merged : pass;
+    if (sent) picture_ = run("frame", input(picture_, &pass, box)).merged;
+    else picture_ = behind_ ? run("frame", input(*behind_, &pass, frame_)).merged : pass;
     sent = true;
   });
   if (!sent) picture_ = behind_ ? run("frame", input(*behind_, nullptr, frame_)).merged : draw_pass(frame);

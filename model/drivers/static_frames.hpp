@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Static objects buffers by the kernels: what ref/objects/static_objects.hpp is by the reference. hs_pipeline draws passes,
-// ztest_merge puts them into S-buffers and frames, erases and asks; here is what a driver does. docs/static.md has the
-// rules.
+// Static objects buffers by the kernels: what ref/objects/static_objects.hpp is by the reference. hs_pipeline draws
+// passes, ztest_merge puts them into S-buffers and frames, erases and asks; here is what a driver does. docs/static.md
+// has the rules.
 #ifndef HALFSPACE_MODEL_DRIVERS_STATIC_FRAMES_HPP_
 #define HALFSPACE_MODEL_DRIVERS_STATIC_FRAMES_HPP_
 
@@ -10,11 +10,11 @@
 #include <optional>
 #include <vector>
 
+#include "model/objects/merge.hpp"
+#include "model/pipeline/engine.hpp"
+#include "model/pipeline/named_frame.hpp"
 #include "ref/geometry/geometry.hpp"
 #include "ref/objects/object_states.hpp"
-#include "model/pipeline/engine.hpp"
-#include "model/objects/merge.hpp"
-#include "model/pipeline/named_frame.hpp"
 
 namespace halfspace::model {
 

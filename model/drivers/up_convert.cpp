@@ -7,18 +7,18 @@
 #include <cmath>
 #include <utility>
 
-#include "ref/error.hpp"
-#include "ref/raster/ideal.hpp"
-#include "ref/objects/static_instances.hpp"
 #include "model/motion/motion.hpp"
 #include "model/texture/texture.hpp"
+#include "ref/error.hpp"
+#include "ref/objects/static_instances.hpp"
+#include "ref/raster/ideal.hpp"
 
 namespace halfspace::model {
 namespace {
 
 // Those that the place of a vertex, the coverage and the depth of a pixel follow from.
-constexpr int Config::*const kShared[] = {&Config::range_bits,   &Config::subpixel_bits,   &Config::depth_bits,
-                                          &Config::colour_bits,  &Config::reciprocal_bits, &Config::depth_fraction};
+constexpr int Config::*const kShared[] = {&Config::range_bits,  &Config::subpixel_bits,   &Config::depth_bits,
+                                          &Config::colour_bits, &Config::reciprocal_bits, &Config::depth_fraction};
 
 // Colours of a picture as a key frame holds them; the inverse of ref::displayed_colour.
 std::uint8_t stored_colour(std::uint8_t displayed, int bits) {
@@ -56,7 +56,8 @@ std::vector<RawMotion> doubled(const std::vector<RawMotion>& field, int width, i
 }
 
 // Takes the triangles of `still` instances out of what is drawn.
-void leave_out(const std::vector<bool>& still, const ref::Scene& scene, ref::Between& motion, ref::OfKeys<ref::LightChange>& change) {
+void leave_out(const std::vector<bool>& still, const ref::Scene& scene, ref::Between& motion,
+               ref::OfKeys<ref::LightChange>& change) {
   const std::vector<std::uint32_t> instance = ref::instances_of_faces(scene);
   std::size_t kept = 0;
   for (std::size_t k = 0; k < motion.traces.size(); ++k) {
@@ -151,20 +152,27 @@ KernelUpConverter::KernelUpConverter(const KernelUpConversion& mode)
     if (colour.*field == motion_.*field) continue;
     for (const ConfigField& named : config_fields()) {
       if (named.value != field) continue;
-      throw ref::Error(fmt::format("configurations {} and {}: {} differs, so that the field would have other edges than the frames: "
-                                   "take the same", mode.colour.name(), mode.motion.name(), named.name));
+      throw ref::Error(
+          fmt::format("configurations {} and {}: {} differs, so that the field would have other edges than the frames: "
+                      "take the same",
+                      mode.colour.name(), mode.motion.name(), named.name));
     }
   }
   if (has_lighting(colour)) {
-    throw ref::Error(fmt::format("configuration {} lights in hardware, and frames in between are of triangles that come lit: take one "
-                                 "without lights", mode.colour.name()));
+    throw ref::Error(fmt::format(
+        "configuration {} lights in hardware, and frames in between are of triangles that come lit: take one "
+        "without lights",
+        mode.colour.name()));
   }
   if (mode.half_field && motion_.samples != 1) {
-    throw ref::Error(fmt::format("configuration {}: half a field has no samples: take one with samples = 1", mode.motion.name()));
+    throw ref::Error(
+        fmt::format("configuration {}: half a field has no samples: take one with samples = 1", mode.motion.name()));
   }
   if (mode.static_buffer && (mode.half_field || mode.method != ref::MotionMethod::kExact || !stores_depth(colour))) {
-    throw ref::Error(fmt::format("configuration {}: a static buffer needs exact motion, a vector a sample, and a Z-buffer, as what moves "
-                                 "is held against its depths: leave it out here", mode.colour.name()));
+    throw ref::Error(fmt::format(
+        "configuration {}: a static buffer needs exact motion, a vector a sample, and a Z-buffer, as what moves "
+        "is held against its depths: leave it out here",
+        mode.colour.name()));
   }
 }
 
@@ -186,7 +194,8 @@ void KernelUpConverter::set_keys(const ref::Scene& first, const ref::Scene& seco
     ref::Geometry geometry(*scenes_[k], view(motion_.samples));
     const ref::DrawnFrame frame = drawn(geometry);
     ref::Identities numbers = ref::face_identities(*scenes_[k]);
-    for (std::size_t face = 1; face < numbers.size(); ++face) numbers[face] = std::uint32_t(face_number(std::uint32_t(face), motion_));
+    for (std::size_t face = 1; face < numbers.size(); ++face)
+      numbers[face] = std::uint32_t(face_number(std::uint32_t(face), motion_));
     const ref::KeyFrame key = ref::key_frame(frame, motion_.samples, numbers);
     keys_[k] = {key.width, key.height, {}, key.identity};
     for (const auto& colour : key.colour) {
@@ -203,7 +212,8 @@ std::vector<RawMotion> KernelUpConverter::field(const ref::Scene& between, doubl
   ref::Between motion = ref::follow(mode_.method, *scenes_[0], *scenes_[1], between, a, seen);
   ref::OfKeys<ref::LightChange> change;
   if (relights(motion_)) {
-    change = light_changes(between, {&*scenes_[0], &*scenes_[1]}, seen, motion_.colour_bits, has_texture(mode_.colour.config()));
+    change = light_changes(between, {&*scenes_[0], &*scenes_[1]}, seen, motion_.colour_bits,
+                           has_texture(mode_.colour.config()));
   }
   if (!still.empty()) leave_out(still, between, motion, change);
   motion_engine_->move(motion_frame(motion, motion_, change));
@@ -214,8 +224,8 @@ std::vector<RawMotion> KernelUpConverter::field(const ref::Scene& between, doubl
   return mode_.half_field ? doubled(words, mode_.width, mode_.height, motion_) : words;
 }
 
-void KernelUpConverter::drop_hidden(const ref::Scene& between, const std::vector<std::uint32_t>& face, const ref::Frame& frame,
-                                    std::vector<RawMotion>& words) const {
+void KernelUpConverter::drop_hidden(const ref::Scene& between, const std::vector<std::uint32_t>& face,
+                                    const ref::Frame& frame, std::vector<RawMotion>& words) const {
   const std::vector<std::uint32_t> instance = ref::instances_of_faces(between);
   const auto hidden = [&](const RawMotion& word) {
     const std::size_t at = std::size_t(word.y) * frame.width + word.x;

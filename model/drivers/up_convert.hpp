@@ -7,20 +7,21 @@
 #include <memory>
 #include <optional>
 
-#include "ref/motion/up_convert.hpp"
-#include "model/motion/compensation.hpp"
-#include "model/formats/configuration.hpp"
-#include "model/pipeline/engine.hpp"
 #include "model/drivers/static_buffer.hpp"
+#include "model/formats/configuration.hpp"
+#include "model/motion/compensation.hpp"
+#include "model/pipeline/engine.hpp"
+#include "ref/motion/up_convert.hpp"
 
 namespace halfspace::model {
 
 // Numbers of motion that cost hardly any quality: docs/frames.md shows what fewer bits cost.
 Config default_motion(const Config& colour);
 
-// The numbers of motion of `motion` on the triangles of `colour`: the same grid of vertices and the same depths, without which field
-// and frames disagree at every edge. `width` and `height` are of the field. A vector_range of 0 becomes one that spans the frame,
-// a coordinate_fraction of 0, and colour_fraction, the least that is accepted. Throws ref::Error for numbers that are refused.
+// The numbers of motion of `motion` on the triangles of `colour`: the same grid of vertices and the same depths,
+// without which field and frames disagree at every edge. `width` and `height` are of the field. A vector_range of 0
+// becomes one that spans the frame, a coordinate_fraction of 0, and colour_fraction, the least that is accepted. Throws
+// ref::Error for numbers that are refused.
 Configuration motion_configuration(const Configuration& colour, const Config& motion, int width, int height);
 
 // What draws the key frames of a motion configuration: Gouraud shading on the same triangles.
@@ -34,22 +35,22 @@ ref::OfKeys<ref::LightChange> light_changes(const ref::Scene& between, const ref
                                             const ref::View& view, int colour_bits, bool textured);
 
 struct KernelUpConversion {
-  int width, height;      // of a frame; even for half a field
-  Configuration colour;   // of frames as they are drawn, motion.samples times as large each way
-  Configuration motion;   // of the field, on the same triangles
+  int width, height;     // of a frame; even for half a field
+  Configuration colour;  // of frames as they are drawn, motion.samples times as large each way
+  Configuration motion;  // of the field, on the same triangles
   ref::MotionMethod method = ref::MotionMethod::kExact;
   bool half_field = false;  // a vector for 2 × 2 pixels; of motion.samples = 1
   int lanes = 16;
-  // What stands still between the keys comes from an S-buffer, and only what moves is drawn and compensated. Of exact motion, a whole field,
-  // and configurations with a Z-buffer; depths compare where Scene::depth_planes is held.
+  // What stands still between the keys comes from an S-buffer, and only what moves is drawn and compensated. Of exact
+  // motion, a whole field, and configurations with a Z-buffer; depths compare where Scene::depth_planes is held.
   bool static_buffer = false;
 };
 
 struct KernelFrameBetween : ref::FrameBetween {
-  std::size_t triangles = 0;            // handed to the pipeline for the field
-  std::size_t static_triangles = 0;     // and for the S-buffer: 0 where it showed what stands still already
-  std::size_t static_instances = 0;     // that the S-buffer shows; 0: the ordinary method
-  std::size_t words = 0;                // of motion: pixels of the field that show a face, and that the S-buffer does not hide
+  std::size_t triangles = 0;         // handed to the pipeline for the field
+  std::size_t static_triangles = 0;  // and for the S-buffer: 0 where it showed what stands still already
+  std::size_t static_instances = 0;  // that the S-buffer shows; 0: the ordinary method
+  std::size_t words = 0;  // of motion: pixels of the field that show a face, and that the S-buffer does not hide
   std::array<std::size_t, 2> misses{};  // of each key's cache
   std::size_t cycles = 0;               // that hs_motion_compensate takes where nothing makes it wait
 };
@@ -63,7 +64,8 @@ class KernelUpConverter {
   void set_keys(const ref::Scene& first, const ref::Scene& second);
   const KeyFrame& key(int k) const { return keys_[std::size_t(k)]; }
   const ref::Colours& key_colour(int k) const { return key_colours_[std::size_t(k)]; }
-  // `between` is the scene at `a` of the way from the first key to the second. Throws ref::Error where ref::follow does.
+  // `between` is the scene at `a` of the way from the first key to the second. Throws ref::Error where ref::follow
+  // does.
   KernelFrameBetween at(const ref::Scene& between, double a);
   // What its compensation was last given.
   const CompensationInput& input() const { return input_; }
@@ -75,7 +77,8 @@ class KernelUpConverter {
   // Of the instances that are not `still`, as far as the S-buffer does not hide them; of all if there are none.
   std::vector<RawMotion> field(const ref::Scene& between, double a, const std::vector<bool>& still);
   // `frame` is what the words were read from, `face` that of each of its indices.
-  void drop_hidden(const ref::Scene& between, const std::vector<std::uint32_t>& face, const ref::Frame& frame, std::vector<RawMotion>& words) const;
+  void drop_hidden(const ref::Scene& between, const std::vector<std::uint32_t>& face, const ref::Frame& frame,
+                   std::vector<RawMotion>& words) const;
   // What the S-buffer shows, where no word is; how many pixels show an object.
   std::uint64_t show_static(ref::Colours& colour) const;
 

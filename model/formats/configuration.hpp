@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Configurations by name or from a file: TOML with the fields of Config, all of them but `shading` and `architecture`, which are
-// "gouraud" and "delta" where nothing is said, and those of lighting and of texture, which are 0, "none" and "affine"; and nothing else.
+// Configurations by name or from a file: TOML with the fields of Config, all of them but `shading` and `architecture`,
+// which are "gouraud" and "delta" where nothing is said, and those of lighting and of texture, which are 0, "none" and
+// "affine"; and nothing else.
 #ifndef HALFSPACE_MODEL_FORMATS_CONFIGURATION_HPP_
 #define HALFSPACE_MODEL_FORMATS_CONFIGURATION_HPP_
 
@@ -19,7 +20,8 @@ struct ConfigField {
   const char* what;
 };
 const std::vector<ConfigField>& config_fields();
-// Those of lighting, which a file without it leaves out; those of texture; of frames in between; and of static objects buffers.
+// Those of lighting, which a file without it leaves out; those of texture; of frames in between; and of static objects
+// buffers.
 const std::vector<ConfigField>& lighting_fields();
 const std::vector<ConfigField>& texture_fields();
 const std::vector<ConfigField>& motion_fields();

@@ -78,7 +78,8 @@ const std::vector<FormatField>& texture_format_fields() {
       {"coordinate_start_gradient", &T::coordinate_start_gradient, "b + f + g", has_coordinates},
       {"inverse", &T::inverse, "y of reciprocal_lookup, ½ … 1", has_perspective},
       {"inverse_shift", &T::inverse_shift, "k of reciprocal_lookup, 0 … b − 1", has_perspective},
-      {"texel_place", &T::texel_place, "of the longest side + 8: modulo a side, and the weights of a bilinear filter", has_texture},
+      {"texel_place", &T::texel_place, "of the longest side + 8: modulo a side, and the weights of a bilinear filter",
+       has_texture},
       {"filtered", &T::filtered, "b of colour + 8: a texel, rounded once", has_texture}};
   return fields;
 }

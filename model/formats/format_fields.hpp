@@ -13,7 +13,7 @@ namespace halfspace::model {
 struct FormatField {
   const char* name;
   NumberFormat FormatTable::*format;
-  const char* why;  // of the width; c: bits of a position, f: sub-pixel bits, b: bits of the channel
+  const char* why;                 // of the width; c: bits of a position, f: sub-pixel bits, b: bits of the channel
   bool (*is_used)(const Config&);  // else no unit has such a number
 };
 const std::vector<FormatField>& format_fields();

@@ -103,11 +103,11 @@ template <class A>
 IfRuntime<A, A, RuntimeResult> operator-(const A& x) {
   return {-std::int64_t(x.bits), x.fraction()};
 }
-#define HS_RUNTIME_COMPARE(op)                                     \
-  template <class A, class B>                                      \
-  IfRuntime<A, B, bool> operator op(const A& x, const B& y) {      \
-    const RuntimePair p(x, y);                                     \
-    return p.a op p.b;                                             \
+#define HS_RUNTIME_COMPARE(op)                                \
+  template <class A, class B>                                 \
+  IfRuntime<A, B, bool> operator op(const A& x, const B& y) { \
+    const RuntimePair p(x, y);                                \
+    return p.a op p.b;                                        \
   }
 HS_RUNTIME_COMPARE(<)
 HS_RUNTIME_COMPARE(<=)
@@ -122,8 +122,8 @@ struct RuntimeFormats {
   static constexpr int kLanesX = S::kX, kLanesY = S::kY, kLanes = S::kX * S::kY;
   static constexpr int kLog2LanesX = exact_log2(kLanesX), kLog2LanesY = exact_log2(kLanesY);
   static inline thread_local int kWidth, kHeight, kStampsX, kStampsY, kStamps, kTriangles, kSubpixelBits,
-      kReciprocalFraction, kAreaBits, kDepthBits, kColourBits, kLights, kMaterials, kSquarings,
-      kTexels, kTextures, kVectorRange, kVectorFraction, kWeightBits, kLog2Samples;
+      kReciprocalFraction, kAreaBits, kDepthBits, kColourBits, kLights, kMaterials, kSquarings, kTexels, kTextures,
+      kVectorRange, kVectorFraction, kWeightBits, kLog2Samples;
   static inline thread_local KeyFilter kFilter;
   using CompilesPlaneTest = std::true_type;
   using CompilesPhong = std::true_type;
@@ -131,7 +131,8 @@ struct RuntimeFormats {
   using CompilesTexture = std::true_type;
   using CompilesMotion = std::true_type;
   static inline thread_local bool kHasDepth, kGouraud, kPhong, kShadesPlanes, kHasPlanes, kStoresDepth, kTestsPlanes;
-  static inline thread_local bool kHasLighting, kHasGloss, kDeferred, kHasTexture, kBilinear, kPerspective, kSendsShape, kOrdersVertices;
+  static inline thread_local bool kHasLighting, kHasGloss, kDeferred, kHasTexture, kBilinear, kPerspective, kSendsShape,
+      kOrdersVertices;
   static inline thread_local bool kHasMotion, kRelights, kHasColours, kHasObjects;
 
   static void activate(const Config& c, const FormatTable& table) {
@@ -276,7 +277,8 @@ struct IndexBuffer<RuntimeFormats<S>> {
 template <class S>
 struct DepthBuffer<RuntimeFormats<S>> {
   using F = RuntimeFormats<S>;
-  std::vector<RuntimeRow<typename F::Depth, F::kLanes>> depth = decltype(depth)(std::size_t(F::kStoresDepth ? F::kStamps : 1));
+  std::vector<RuntimeRow<typename F::Depth, F::kLanes>> depth =
+      decltype(depth)(std::size_t(F::kStoresDepth ? F::kStamps : 1));
 };
 // An address beyond the memory, from an index that was cut, wraps as in a RAM.
 template <class T>
@@ -330,7 +332,9 @@ struct TextureMemory<RuntimeFormats<S>> {
   using F = RuntimeFormats<S>;
   static constexpr int kBanks = 4;
   std::vector<RuntimeEntries<TexelColour<F>>> bank =
-      decltype(bank)(4, RuntimeEntries<TexelColour<F>>(F::kTexels < 4 ? 1 : F::kBilinear ? F::kTexels / 4 : F::kTexels));
+      decltype(bank)(4, RuntimeEntries<TexelColour<F>>(F::kTexels < 4 ? 1
+                                                       : F::kBilinear ? F::kTexels / 4
+                                                                      : F::kTexels));
 };
 template <class S>
 struct MaterialTable<RuntimeFormats<S>> {

@@ -8,8 +8,8 @@
 #include <tuple>
 
 #include "hls/motion/motion_compensate.hpp"
-#include "ref/error.hpp"
 #include "model/formats/runtime_formats.hpp"
+#include "ref/error.hpp"
 
 namespace halfspace {
 
@@ -118,8 +118,7 @@ void check(const CompensationInput& input, const Configuration& configuration) {
 }
 
 template <int N>
-CompensatedFrame compensate(const CompensationInput& input, const Config& config,
-                            std::vector<StreamWords>* streams) {
+CompensatedFrame compensate(const CompensationInput& input, const Config& config, std::vector<StreamWords>* streams) {
   std::vector<RawMotion> motion = input.motion;
   order_by_tiles(motion, config);
   if (motion.empty()) motion.emplace_back();  // the word that ends a frame
@@ -223,5 +222,5 @@ std::vector<Layout> Compensator::layouts() const {
   return key_side(configuration_.config().filter) == 4 ? layouts_of<4>() : layouts_of<2>();
 }
 
-}  // namespace vectors
+}  // namespace model
 }  // namespace halfspace

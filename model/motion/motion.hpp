@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "hls/formats/formats.hpp"
-#include "ref/motion/motion.hpp"
 #include "ref/geometry/snap.hpp"
+#include "ref/motion/motion.hpp"
 #include "ref/motion/relight.hpp"
 
 namespace halfspace::model {

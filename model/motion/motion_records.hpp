@@ -47,7 +47,8 @@ RawMotion plain_motion(const Motion<F>& in) {
     to.x = int(raw(from.x));
     to.y = int(raw(from.y));
     const int zero = 1 << (F::kColourBits + kDifferenceFraction);
-    if (F::kRelights && to.there) to.difference = {int(raw(from.r)) - zero, int(raw(from.g)) - zero, int(raw(from.b)) - zero};
+    if (F::kRelights && to.there)
+      to.difference = {int(raw(from.r)) - zero, int(raw(from.g)) - zero, int(raw(from.b)) - zero};
   }
   return out;
 }

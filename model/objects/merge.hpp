@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// ztest_merge as a driver sees it, for any configuration with objects: buffers of the size of a frame, and runs over a box of them.
+// ztest_merge as a driver sees it, for any configuration with objects: buffers of the size of a frame, and runs over a
+// box of them.
 #ifndef HALFSPACE_MODEL_OBJECTS_MERGE_HPP_
 #define HALFSPACE_MODEL_OBJECTS_MERGE_HPP_
 
@@ -8,17 +9,17 @@
 #include <vector>
 
 #include "hls/formats/formats.hpp"
-#include "ref/objects/object_buffer.hpp"
 #include "model/formats/configuration.hpp"
 #include "model/formats/layout.hpp"
 #include "model/objects/object_words.hpp"
+#include "ref/objects/object_buffer.hpp"
 
 namespace halfspace::model {
 
 // Buffers are row by row, width × height.
 struct MergeInput {
   int width = 0, height = 0;
-  ref::Box box;                                  // in pixels: the stamps that it meets are those of the run; not empty
+  ref::Box box;  // in pixels: the stamps that it meets are those of the run; not empty
   const std::vector<RawEntry>* stored = nullptr;
   const std::vector<RawEntry>* drawn = nullptr;  // merged with it, unless null
   bool sends = true;                             // else nothing is made of it, and objects are only looked for

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "hls/objects/ztest_merge.hpp"
-#include "ref/geometry/snap.hpp"
 #include "model/objects/merge.hpp"
 #include "model/objects/object_records.hpp"
+#include "ref/geometry/snap.hpp"
 
 namespace halfspace::model {
 
@@ -45,7 +45,9 @@ MergeResult merge_run(const MergeInput& input, std::vector<StreamWords>* streams
   std::vector<Entry<F>> entry_words;
   std::vector<MergedEntry<F>> merged_words;
   std::vector<Found<F>> found_words;
-  if (streams) run.tap(&run_words), stored.tap(&stored_words), entry.tap(&entry_words), merged.tap(&merged_words), found.tap(&found_words);
+  if (streams)
+    run.tap(&run_words), stored.tap(&stored_words), entry.tap(&entry_words), merged.tap(&merged_words),
+        found.tap(&found_words);
 
   Merge<F> command;
   command.merges = from_raw<Bit>(input.drawn != nullptr);
@@ -73,8 +75,8 @@ MergeResult merge_run(const MergeInput& input, std::vector<StreamWords>* streams
   const Found<F> hits = found.read();
   result.count = std::uint64_t(raw(hits.count));
   if (result.count != 0) {
-    result.box = ref::Box{int(raw(hits.x_first)) * F::kLanesX, int(raw(hits.y_first)) * F::kLanesY, (int(raw(hits.x_last)) + 1) * F::kLanesX,
-                          (int(raw(hits.y_last)) + 1) * F::kLanesY}
+    result.box = ref::Box{int(raw(hits.x_first)) * F::kLanesX, int(raw(hits.y_first)) * F::kLanesY,
+                          (int(raw(hits.x_last)) + 1) * F::kLanesX, (int(raw(hits.y_last)) + 1) * F::kLanesY}
                      .cut({0, 0, input.width, input.height});
   }
   result.cycles = std::uint64_t(x1 - x0 + 1) * std::uint64_t(y1 - y0 + 1) + 1;

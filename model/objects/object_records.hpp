@@ -16,8 +16,10 @@ void put_entry(const Entry<F>& in, int width, int height, std::vector<RawEntry>&
   for (int l = 0; l < F::kLanes; ++l) {
     const int x = int(raw(in.x)) * F::kLanesX + l % F::kLanesX, y = int(raw(in.y)) * F::kLanesY + l / F::kLanesX;
     if (x >= width || y >= height) continue;
-    frame[std::size_t(y) * width + x] = {std::uint32_t(raw(in.depth[l])), std::uint32_t(raw(in.object[l])),
-                                         {std::uint8_t(raw(in.r[l])), std::uint8_t(raw(in.g[l])), std::uint8_t(raw(in.b[l]))}};
+    frame[std::size_t(y) * width + x] = {
+        std::uint32_t(raw(in.depth[l])),
+        std::uint32_t(raw(in.object[l])),
+        {std::uint8_t(raw(in.r[l])), std::uint8_t(raw(in.g[l])), std::uint8_t(raw(in.b[l]))}};
   }
 }
 

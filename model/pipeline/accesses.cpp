@@ -53,7 +53,8 @@ class Counter {
 
   void scan(const Layout& layout, const Word& word) {
     const Field& index = field_named(layout, "index");
-    const int x = int(field_value(word, field_named(layout, "x"))) * lanes_x_, y = int(field_value(word, field_named(layout, "y"))) * lanes_y_;
+    const int x = int(field_value(word, field_named(layout, "x"))) * lanes_x_,
+              y = int(field_value(word, field_named(layout, "y"))) * lanes_y_;
     const std::uint64_t pixels = std::uint64_t(std::min(lanes_x_, width_ - x)) * std::min(lanes_y_, height_ - y);
     out_.needed.index.read += pixels, out_.needed.index.written += pixels;
     out_.words.index.read += lanes_, out_.words.index.written += lanes_;
@@ -79,7 +80,8 @@ class Counter {
 
 Accesses count_accesses(const Config& config, Engine& engine, const ref::SnappedList& scene) {
   Counter counter(config, engine, scene);
-  engine.capture(scene, [&](const Layout& layout, const Word* words, std::size_t count) { counter.count(layout, words, count); });
+  engine.capture(
+      scene, [&](const Layout& layout, const Word* words, std::size_t count) { counter.count(layout, words, count); });
   if (tests_planes(config)) {
     for (const PlaneTests& test : engine.plane_tests(scene)) counter.fetched(std::uint64_t(test.entries));
   }

@@ -140,8 +140,8 @@ class Pipeline {
   Cycle shade_free_ = 0, raster_free_ = 0, test_free_ = 0;
 };
 
-// Of the finished frame: its stamps, and for each stamp the different triangles in it, and its covered pixels, one for background
-// alone.
+// Of the finished frame: its stamps, and for each stamp the different triangles in it, and its covered pixels, one for
+// background alone.
 struct ScanWork {
   std::uint64_t stamps = 0, groups = 0, pixels = 0;
 };
@@ -173,8 +173,8 @@ ScanWork scan_work(const Engine& engine, const ref::Frame& frame) {
 
 UnitIntervals unit_intervals(const Config& c) {
   const FormatTable t = format_table(c);
-  // A job takes six products by a distance and two by R, each in as many passes as the factor has chunks; a triangle has
-  // three, which follow each other at once (hs_shade_setup). Flat colours go through.
+  // A job takes six products by a distance and two by R, each in as many passes as the factor has chunks; a triangle
+  // has three, which follow each other at once (hs_shade_setup). Flat colours go through.
   constexpr int kChunk = 24;
   const int colours = 3 * (6 * passes(t.delta.width - 1, kChunk) + 2 * passes(t.reciprocal.width, kChunk));
   return {setup_interval(c), shades_planes(c) ? colours : 1};

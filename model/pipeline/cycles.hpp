@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Cycles a frame of the RTL, without simulating it.
 //
-// Type γ: the Z-test takes the cycles of ztest_plane; that a stamp waits for one in flight at the same pixels is not modelled.
-// The kernels tell what a frame asks of each unit: stamps visited, triangles in a stamp. The model moves triangles, not
-// clock edges: each unit takes what it offers after its interval and latency, waits for the one before it and for room in
-// the queue behind it (rtl/pipeline/hs_pipeline.sv), as in the comments of rtl/hs_*.sv. Frames follow each other at once. Held to
-// the co-simulation in tests/pipeline/cosim_test.py.
+// Type γ: the Z-test takes the cycles of ztest_plane; that a stamp waits for one in flight at the same pixels is not
+// modelled. The kernels tell what a frame asks of each unit: stamps visited, triangles in a stamp. The model moves
+// triangles, not clock edges: each unit takes what it offers after its interval and latency, waits for the one before
+// it and for room in the queue behind it (rtl/pipeline/hs_pipeline.sv), as in the comments of rtl/hs_*.sv. Frames
+// follow each other at once. Held to the co-simulation in tests/pipeline/cosim_test.py.
 #ifndef HALFSPACE_MODEL_PIPELINE_CYCLES_HPP_
 #define HALFSPACE_MODEL_PIPELINE_CYCLES_HPP_
 
@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "hls/formats/config.hpp"
-#include "ref/raster/raster.hpp"
-#include "ref/geometry/snap.hpp"
 #include "model/pipeline/engine.hpp"
+#include "ref/geometry/snap.hpp"
+#include "ref/raster/raster.hpp"
 
 namespace halfspace::model {
 

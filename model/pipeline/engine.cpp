@@ -15,7 +15,9 @@ std::vector<ref::RasterFormat> raster_formats() {
   return formats;
 }
 
-ref::RasterFormat raster_format(const std::string& name_or_path) { return raster_format(find_configuration(name_or_path)); }
+ref::RasterFormat raster_format(const std::string& name_or_path) {
+  return raster_format(find_configuration(name_or_path));
+}
 
 namespace {
 

@@ -9,16 +9,16 @@
 #include <vector>
 
 #include "hls/formats/records.hpp"
-#include "ref/raster/raster.hpp"
-#include "ref/geometry/snap.hpp"
 #include "model/formats/configuration.hpp"
 #include "model/formats/layout.hpp"
 #include "model/formats/stamps.hpp"
-#include "model/shade/lighting.hpp"
 #include "model/motion/motion.hpp"
 #include "model/motion/motion_words.hpp"
 #include "model/objects/object_words.hpp"
+#include "model/shade/lighting.hpp"
 #include "model/texture/texture.hpp"
+#include "ref/geometry/snap.hpp"
+#include "ref/raster/raster.hpp"
 
 namespace halfspace::model {
 
@@ -31,14 +31,15 @@ class Engine {
 
   virtual int lanes_x() const = 0;
   virtual int lanes_y() const = 0;
-  // In flow order: triangle, setup, attributes, planes, triangle_depth if there is one, stamp, update, visible, scan, pixel. With
-  // lighting light and material stand first, and before planes normals and, but for Phong shading, colours; with texture texture and
-  // texel, then texture_coordinates and texture_planes, and lit before pixel; with either visible_attributes after attributes. A motion
-  // configuration has visible_attributes, motion_vectors and motion_planes, and motion in the place of pixel; one with objects has entry
-  // there.
+  // In flow order: triangle, setup, attributes, planes, triangle_depth if there is one, stamp, update, visible, scan,
+  // pixel. With lighting light and material stand first, and before planes normals and, but for Phong shading, colours;
+  // with texture texture and texel, then texture_coordinates and texture_planes, and lit before pixel; with either
+  // visible_attributes after attributes. A motion configuration has visible_attributes, motion_vectors and
+  // motion_planes, and motion in the place of pixel; one with objects has entry there.
   virtual std::vector<Layout> layouts() const = 0;
 
-  // Of a configuration with lighting, before a frame is drawn: its lights, its materials, and the normals of its triangles.
+  // Of a configuration with lighting, before a frame is drawn: its lights, its materials, and the normals of its
+  // triangles.
   virtual void light(const LightingFrame& frame) = 0;
 
   // Of a configuration with texture, before a frame is drawn: its textures, and the coordinates of its triangles.
@@ -46,11 +47,11 @@ class Engine {
 
   // Of a motion configuration, before a frame is drawn: where its triangles are in the key frames.
   virtual void move(const MotionFrame& frame) = 0;
-  // Of a configuration with objects, before a frame is drawn: the number of the object of each triangle, 1 … 2^object_bits − 1;
-  // none: all are of object 1.
+  // Of a configuration with objects, before a frame is drawn: the number of the object of each triangle, 1 …
+  // 2^object_bits − 1; none: all are of object 1.
   virtual void number(const std::vector<std::uint32_t>& objects) = 0;
-  // Not 0: from now on indices of invisible triangles are used again, by the rule of ref::IndexReuse with this window, and a frame
-  // may have more triangles than there are indices. render() throws ref::Error when they are used up.
+  // Not 0: from now on indices of invisible triangles are used again, by the rule of ref::IndexReuse with this window,
+  // and a frame may have more triangles than there are indices. render() throws ref::Error when they are used up.
   virtual void reuse_indices(int window) = 0;
   // How many of its triangles, from the first on, there are indices for.
   virtual std::size_t fits(const ref::SnappedList& scene) = 0;
@@ -59,8 +60,8 @@ class Engine {
   virtual ref::Frame render(const ref::SnappedList& scene) = 0;
   // The picture alone.
   virtual void render_colour(const ref::SnappedList& scene, std::vector<std::array<std::uint8_t, 4>>& colour) = 0;
-  // Of a motion configuration the motion field: the words of `motion`, one a pixel that shows a face. `frame`, unless it is null, takes
-  // the index and the depth of each pixel.
+  // Of a motion configuration the motion field: the words of `motion`, one a pixel that shows a face. `frame`, unless
+  // it is null, takes the index and the depth of each pixel.
   virtual std::vector<RawMotion> motion(const ref::SnappedList& scene, ref::Frame* frame) = 0;
   // Of a configuration with objects the frame as `entry` has it, row by row.
   virtual std::vector<RawEntry> entries(const ref::SnappedList& scene) = 0;

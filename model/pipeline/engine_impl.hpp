@@ -9,14 +9,14 @@
 #include <string>
 
 #include "hls/pipeline/pipeline.hpp"
-#include "ref/error.hpp"
-#include "ref/raster/index_pool.hpp"
 #include "model/formats/stamps.hpp"
-#include "model/pipeline/engine.hpp"
-#include "model/shade/lighting_records.hpp"
 #include "model/motion/motion_records.hpp"
 #include "model/objects/object_records.hpp"
+#include "model/pipeline/engine.hpp"
+#include "model/shade/lighting_records.hpp"
 #include "model/texture/texture_records.hpp"
+#include "ref/error.hpp"
+#include "ref/raster/index_pool.hpp"
 
 namespace halfspace::model {
 
@@ -30,15 +30,18 @@ class KernelEngine : public Engine {
     std::vector<Layout> layouts;
     if (F::kHasLighting) layouts = {layout<Light<F>>(), layout<Material<F>>()};
     if (F::kHasTexture) layouts.push_back(layout<TextureEntry<F>>()), layouts.push_back(layout<Texel<F>>());
-    for (const Layout& next : {layout<Triangle<F>>(), layout<Setup<F>>(), layout<Attributes<F>>()}) layouts.push_back(next);
+    for (const Layout& next : {layout<Triangle<F>>(), layout<Setup<F>>(), layout<Attributes<F>>()})
+      layouts.push_back(next);
     if (F::kDeferred) layouts.push_back(visible_attributes_layout());
     if (F::kHasLighting) layouts.push_back(layout<Normals<F>>());
     if (F::kHasLighting && !F::kPhong) layouts.push_back(layout<Colours<F>>());
     if (!F::kHasMotion) layouts.push_back(F::kPhong ? layout<NormalPlanes<F>>() : layout<Planes<F>>());
-    if (F::kHasTexture) layouts.push_back(layout<TextureCoordinates<F>>()), layouts.push_back(layout<TexturePlanes<F>>());
+    if (F::kHasTexture)
+      layouts.push_back(layout<TextureCoordinates<F>>()), layouts.push_back(layout<TexturePlanes<F>>());
     if (F::kHasMotion) layouts.push_back(layout<MotionVectors<F>>()), layouts.push_back(layout<MotionPlanes<F>>());
     if (F::kTestsPlanes) layouts.push_back(layout<TriangleDepth<F>>());
-    for (const Layout& next : {layout<Stamp<F>>(), layout<Update<F>>(), layout<Visible<F>>(), layout<Scan<F>>()}) layouts.push_back(next);
+    for (const Layout& next : {layout<Stamp<F>>(), layout<Update<F>>(), layout<Visible<F>>(), layout<Scan<F>>()})
+      layouts.push_back(next);
     if (F::kHasTexture) layouts.push_back(layout<LitPixel<F>>());
     layouts.push_back(F::kHasMotion ? layout<Motion<F>>() : F::kHasObjects ? layout<Entry<F>>() : layout<Pixel<F>>());
     return layouts;
@@ -149,7 +152,8 @@ class KernelEngine : public Engine {
     s.motion_vectors.tap(&motion_vectors), s.motion_planes.tap(&motion_planes), s.motion.tap(&motion);
     s.triangle.tap(&triangle), s.setup.tap(&setup), s.attributes.tap(&attributes), s.planes.tap(&planes);
     s.visible_attributes.tap(&visible_attributes), s.normals.tap(&normals), s.colours.tap(&colours);
-    s.normal_planes.tap(&normal_planes), s.texture_coordinates.tap(&texture_coordinates), s.texture_planes.tap(&texture_planes);
+    s.normal_planes.tap(&normal_planes), s.texture_coordinates.tap(&texture_coordinates),
+        s.texture_planes.tap(&texture_planes);
     s.triangle_depth.tap(&triangle_depth), s.lit.tap(&lit);
     s.stamp.tap(&stamp), s.update.tap(&update), s.visible.tap(&visible), s.scan.tap(&scan), s.pixel.tap(&pixel);
     render(scene);
@@ -228,10 +232,13 @@ class KernelEngine : public Engine {
       throw ref::Error("the configuration lights triangles, and these came without normals: take one without lights");
     }
     if (F::kHasTexture && coordinates_.size() != scene.triangles.size()) {
-      throw ref::Error("the configuration draws textures, and the triangles came without coordinates: take one without texture");
+      throw ref::Error(
+          "the configuration draws textures, and the triangles came without coordinates: take one without texture");
     }
     if (F::kHasMotion && motion_vectors_.size() != scene.triangles.size()) {
-      throw ref::Error("the configuration is of frames in between, and the triangles came without motion: take one that shades them");
+      throw ref::Error(
+          "the configuration is of frames in between, and the triangles came without motion: take one that shades "
+          "them");
     }
     if (F::kHasObjects) check_objects(scene);
     if (visible) visible->resize(scene.triangles.size());
@@ -262,10 +269,12 @@ class KernelEngine : public Engine {
         streams_->normals.write(normals_record<F>(normals_[k], int(raw(done.index)), raw(done.last) != 0));
       }
       if (F::kHasTexture && raw(done.visible)) {
-        streams_->texture_coordinates.write(coordinates_record<F>(coordinates_[k], int(raw(done.index)), raw(done.last) != 0));
+        streams_->texture_coordinates.write(
+            coordinates_record<F>(coordinates_[k], int(raw(done.index)), raw(done.last) != 0));
       }
       if (F::kHasMotion && raw(done.visible)) {
-        streams_->motion_vectors.write(vectors_record<F>(motion_vectors_[k], int(raw(done.index)), raw(done.last) != 0));
+        streams_->motion_vectors.write(
+            vectors_record<F>(motion_vectors_[k], int(raw(done.index)), raw(done.last) != 0));
       }
       pipeline_planes(*streams_, *buffers_);
       pool.done(std::uint32_t(raw(done.index)), raw(done.visible) != 0);
@@ -277,10 +286,12 @@ class KernelEngine : public Engine {
   void check_objects(const ref::SnappedList& scene) const {
     const std::uint32_t most = (1u << F::Object::width()) - 1;
     if (!objects_.empty() && objects_.size() != scene.triangles.size()) {
-      throw ref::Error("a frame has another number of triangles than numbers of objects: this is a fault of the program");
+      throw ref::Error(
+          "a frame has another number of triangles than numbers of objects: this is a fault of the program");
     }
     for (const std::uint32_t object : objects_) {
-      if (object == 0 || object > most) throw ref::Error("an object's number does not fit its bits: raise object_bits of the configuration");
+      if (object == 0 || object > most)
+        throw ref::Error("an object's number does not fit its bits: raise object_bits of the configuration");
     }
   }
 

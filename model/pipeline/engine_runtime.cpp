@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/pipeline/engine_impl.hpp"
 #include "model/formats/runtime_formats.hpp"
+#include "model/pipeline/engine_impl.hpp"
 
 namespace halfspace::model {
 namespace {

@@ -12,8 +12,14 @@ BufferBits entry_bits(const Config& config) {
                             (relights(config) ? 9 * t.difference_plane.width : 0));
   const int shading = has_motion(config)   ? t.face.width + keys
                       : is_gouraud(config) ? 9 * t.colour_plane.width
-                      : is_phong(config) ? 9 * t.normal_plane.width + t.material.width : 3 * t.colour.width;
-  return {stores_depth(config) ? t.depth.width : 0, 0, 0, t.index.width, tests_planes(config) ? 3 * t.depth_plane.width : 0, shading,
+                      : is_phong(config)   ? 9 * t.normal_plane.width + t.material.width
+                                           : 3 * t.colour.width;
+  return {stores_depth(config) ? t.depth.width : 0,
+          0,
+          0,
+          t.index.width,
+          tests_planes(config) ? 3 * t.depth_plane.width : 0,
+          shading,
           config.object_bits};
 }
 
@@ -39,8 +45,8 @@ MemoryBits memory_bits(const Config& c, int lanes_x, int lanes_y) {
   std::uint64_t triangles = 1;
   while (triangles < std::uint64_t(c.triangles)) triangles *= 2;
   const std::uint64_t depth_banks = has_objects(c) ? 2 : 1;
-  return {2 * pixels * entry.index, depth_banks * pixels * entry.depth, 2 * triangles * entry.shading, triangles * entry.visibility,
-          2 * triangles * entry.object};
+  return {2 * pixels * entry.index, depth_banks * pixels * entry.depth, 2 * triangles * entry.shading,
+          triangles * entry.visibility, 2 * triangles * entry.object};
 }
 
 }  // namespace halfspace::model

@@ -35,13 +35,12 @@ constexpr NamedBuffer kBuffers[] = {{"depth_buffer", &ref::BufferUses::depth, &B
                                     {"shading_database", &ref::BufferUses::shading, &BufferBits::shading},
                                     {"object_table", &ref::BufferUses::object, &BufferBits::object}};
 
-// What objects add to a frame as any circuit needs it: scan-out reads the depth of each pixel, and the object of each triangle that
-// it reads from TdbS; the object of each triangle that comes is stored.
+// What objects add to a frame as any circuit needs it: scan-out reads the depth of each pixel, and the object of each
+// triangle that it reads from TdbS; the object of each triangle that comes is stored.
 void add_object_uses(std::uint64_t pixels, std::uint64_t triangles, ref::BufferUses&);
 
-// Bits of a frame's memories: two banks of I-buffer and TdbS, and with objects of the Z-buffer and of their table; one of Z-buffer or
-// TdbV. A buffer has whole stamps, a database as many
-// entries as its address tells apart.
+// Bits of a frame's memories: two banks of I-buffer and TdbS, and with objects of the Z-buffer and of their table; one
+// of Z-buffer or TdbV. A buffer has whole stamps, a database as many entries as its address tells apart.
 struct MemoryBits {
   std::uint64_t index, depth, shading, visibility, object;
   std::uint64_t total() const { return index + depth + shading + visibility + object; }

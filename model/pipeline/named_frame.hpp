@@ -23,7 +23,8 @@ struct NamedFrame {
   LightingFrame lighting = {};  // with lighting: the normals of its triangles, and what they are lit with
   TextureFrame texture = {};    // with texture: their coordinates, and the textures
   MotionFrame motion = {};      // of a motion configuration: where they are in the key frames
-  std::vector<std::uint32_t> objects = {};  // of one with objects: theirs; if there are none, four triangles make an object
+  std::vector<std::uint32_t> objects =
+      {};  // of one with objects: theirs; if there are none, four triangles make an object
 };
 
 // Gives the engine what goes with the triangles of a frame, before it is drawn.

@@ -5,13 +5,13 @@
 
 #include <algorithm>
 
-#include "hls/motion/key_filter.hpp"
-#include "hls/texture/reciprocal_lookup.hpp"
-#include "hls/shade/reciprocal_sqrt.hpp"
 #include "hls/formats/records.hpp"
+#include "hls/motion/key_filter.hpp"
+#include "hls/shade/reciprocal_sqrt.hpp"
+#include "hls/texture/reciprocal_lookup.hpp"
 #include "model/motion/compensation.hpp"
-#include "model/pipeline/engine.hpp"
 #include "model/objects/merge.hpp"
+#include "model/pipeline/engine.hpp"
 
 namespace halfspace::model {
 namespace {
@@ -57,8 +57,9 @@ std::string table_text(const char* name, const Table& table, int segments, int v
   const int bits = value_bits + slope_bits, digits = (bits + 3) / 4;
   std::string text = fmt::format("  localparam logic [{}:0] {} = {{\n", segments * bits - 1, name);
   for (int i = segments - 1; i >= 0; --i) {
-    text += fmt::format("{}{}'h{:0{}x}{}", (segments - 1 - i) % 6 == 0 ? "    " : " ", bits,
-                        std::uint64_t(table.value[i]) << slope_bits | table.slope[i], digits, i == 0 ? "\n  };\n" : ",");
+    text +=
+        fmt::format("{}{}'h{:0{}x}{}", (segments - 1 - i) % 6 == 0 ? "    " : " ", bits,
+                    std::uint64_t(table.value[i]) << slope_bits | table.slope[i], digits, i == 0 ? "\n  };\n" : ",");
     if ((segments - i) % 6 == 0 && i != 0) text += "\n";
   }
   return text;
@@ -103,7 +104,8 @@ std::string lighting_text(const Config& c, const std::vector<Layout>& layouts) {
                          {"LightSumFraction", number(t.light_sum.width - t.light_sum.integer)},
                          {"NormalFraction", c.normal_fraction},
                          {"NormalPlaneBits", is_phong(c) ? t.normal_plane.width : 0}}) +
-         (there ? "\n" + table_text("RootTable", root_table(), kRootSegments, kRootValueFraction, kRootSlopeBits) : "  localparam logic [0:0] RootTable = '0;\n");
+         (there ? "\n" + table_text("RootTable", root_table(), kRootSegments, kRootValueFraction, kRootSlopeBits)
+                : "  localparam logic [0:0] RootTable = '0;\n");
 }
 
 // Those of texture.
@@ -137,7 +139,8 @@ std::string texture_text(const Config& c, const std::vector<Layout>& layouts) {
                          {"InverseOffsetBits", inverse(kInverseOffsetBits)},
                          {"InverseValueFraction", inverse(kInverseValueFraction)},
                          {"InverseSlopeBits", inverse(kInverseSlopeBits)}}) +
-         (has_perspective(c) ? "\n" + table_text("InverseTable", inverse_table(), kInverseSegments, kInverseValueFraction, kInverseSlopeBits)
+         (has_perspective(c) ? "\n" + table_text("InverseTable", inverse_table(), kInverseSegments,
+                                                 kInverseValueFraction, kInverseSlopeBits)
                              : "  localparam logic [0:0] InverseTable = '0;\n");
 }
 
@@ -151,16 +154,19 @@ std::string entries_text(const char* name, const std::vector<std::uint64_t>& ent
   return text;
 }
 
-// The weights of an axis (hls/motion/key_filter.hpp): of the pixel behind a place; bicubic, of those one further, behind and before it.
+// The weights of an axis (hls/motion/key_filter.hpp): of the pixel behind a place; bicubic, of those one further,
+// behind and before it.
 std::string key_tables_text(const Config& c) {
-  const bool is_bicubic = has_motion(c) && c.filter == KeyFilter::kBicubic, has_inner = has_motion(c) && c.filter != KeyFilter::kNearest;
+  const bool is_bicubic = has_motion(c) && c.filter == KeyFilter::kBicubic,
+             has_inner = has_motion(c) && c.filter != KeyFilter::kNearest;
   std::vector<std::uint64_t> inner, outer;
   const int g = c.vector_fraction + exact_log2(c.samples), w = c.weight_bits, bits = format_table(c).tap_weight.width;
   for (int n = 0; n < 1 << g; ++n) {
     inner.push_back(std::uint64_t(axis_weights(inner_filter(c.filter), n, g, w).tap[2]));
     const AxisWeights weights = axis_weights(c.filter, n, g, w);
     std::uint64_t entry = 0;
-    for (const int tap : {3, 2, 0}) entry = entry << bits | (std::uint64_t(weights.tap[tap]) & ((std::uint64_t(1) << bits) - 1));
+    for (const int tap : {3, 2, 0})
+      entry = entry << bits | (std::uint64_t(weights.tap[tap]) & ((std::uint64_t(1) << bits) - 1));
     outer.push_back(entry);
   }
   const auto none = [](const char* name) { return fmt::format("  localparam logic [0:0] {} = '0;\n", name); };
@@ -172,7 +178,9 @@ std::string key_tables_text(const Config& c) {
 int weighted(const Config& c, int tap, int step) {
   const int g = c.vector_fraction + exact_log2(c.samples);
   int n = 1;
-  while (n < 1 << g && axis_weights(inner_filter(c.filter), step > 0 ? n : (1 << g) - n, g, c.weight_bits).tap[tap] == 0) ++n;
+  while (n < 1 << g &&
+         axis_weights(inner_filter(c.filter), step > 0 ? n : (1 << g) - n, g, c.weight_bits).tap[tap] == 0)
+    ++n;
   return n;
 }
 
@@ -181,32 +189,33 @@ std::string motion_text(const Config& c, const std::vector<Layout>& layouts) {
   const FormatTable t = format_table(c);
   const auto number = [&](int value) { return has_motion(c) ? value : 0; };
   const int taps = c.filter == KeyFilter::kNearest ? 1 : c.filter == KeyFilter::kBicubic ? 4 : 2;
-  return constants_text({{"HasMotion", has_motion(c)},
-                         {"Relight", relights(c)},
-                         {"FaceBits", number(t.face.width)},
-                         {"OriginBits", number(t.origin.width)},
-                         {"ExtentBits", number(t.extent.width)},
-                         {"VectorBits", number(t.vector.width)},
-                         {"VectorFraction", c.vector_fraction},
-                         {"KeyWeightBits", number(t.key_weight.width)},
-                         {"DifferenceBits", relights(c) ? t.difference.width : 0},
-                         {"KeyTaps", number(taps)},
-                         {"KeySide", number(key_side(c.filter))},
-                         {"KeyFractionBits", number(c.vector_fraction + exact_log2(c.samples))},
-                         {"KeyFirstBehind", number(weighted(c, 2, 1))},
-                         {"KeyLastBefore", number((1 << (c.vector_fraction + exact_log2(c.samples))) - weighted(c, 1, -1))},
-                         {"KeyPlaceBits", number(t.key_place.width)},
-                         {"TapWeightBits", number(t.tap_weight.width)},
-                         {"KeySumBits", number(t.key_sum.width)},
-                         {"TileXBits", number(t.tile_x.width)},
-                         {"TileYBits", number(t.tile_y.width)},
-                         {"KeyRequestWordBits", word_bits(layouts, "key_request_0")},
-                         {"KeyBlockWordBits", word_bits(layouts, "key_block_0")},
-                         {"CompensatedWordBits", word_bits(layouts, "compensated")},
-                         {"DifferencePlaneBits", relights(c) ? t.difference_plane.width : 0},
-                         {"MotionVectorsWordBits", word_bits(layouts, "motion_vectors")},
-                         {"MotionPlanesWordBits", word_bits(layouts, "motion_planes")},
-                         {"MotionWordBits", word_bits(layouts, "motion")}}) +
+  return constants_text(
+             {{"HasMotion", has_motion(c)},
+              {"Relight", relights(c)},
+              {"FaceBits", number(t.face.width)},
+              {"OriginBits", number(t.origin.width)},
+              {"ExtentBits", number(t.extent.width)},
+              {"VectorBits", number(t.vector.width)},
+              {"VectorFraction", c.vector_fraction},
+              {"KeyWeightBits", number(t.key_weight.width)},
+              {"DifferenceBits", relights(c) ? t.difference.width : 0},
+              {"KeyTaps", number(taps)},
+              {"KeySide", number(key_side(c.filter))},
+              {"KeyFractionBits", number(c.vector_fraction + exact_log2(c.samples))},
+              {"KeyFirstBehind", number(weighted(c, 2, 1))},
+              {"KeyLastBefore", number((1 << (c.vector_fraction + exact_log2(c.samples))) - weighted(c, 1, -1))},
+              {"KeyPlaceBits", number(t.key_place.width)},
+              {"TapWeightBits", number(t.tap_weight.width)},
+              {"KeySumBits", number(t.key_sum.width)},
+              {"TileXBits", number(t.tile_x.width)},
+              {"TileYBits", number(t.tile_y.width)},
+              {"KeyRequestWordBits", word_bits(layouts, "key_request_0")},
+              {"KeyBlockWordBits", word_bits(layouts, "key_block_0")},
+              {"CompensatedWordBits", word_bits(layouts, "compensated")},
+              {"DifferencePlaneBits", relights(c) ? t.difference_plane.width : 0},
+              {"MotionVectorsWordBits", word_bits(layouts, "motion_vectors")},
+              {"MotionPlanesWordBits", word_bits(layouts, "motion_planes")},
+              {"MotionWordBits", word_bits(layouts, "motion")}}) +
          key_tables_text(c);
 }
 
@@ -240,10 +249,12 @@ std::string formats_package(const Configuration& configuration) {
   // What is not there has no bits and no type.
   const bool depth = has_depth(c), gouraud = is_gouraud(c), planes = has_planes(c);
   const auto bits = [](bool there, const NumberFormat& format) { return there ? format.width : 0; };
-  // Of a triangle as it comes: its colours; and of its attributes, where values of its vertices come later, their order.
+  // Of a triangle as it comes: its colours; and of its attributes, where values of its vertices come later, their
+  // order.
   const int triangle_colours = !has_colours(c) ? 0 : (gouraud ? 9 : 3) * t.colour.width;
   const int order = orders_vertices(c) ? VertexNumber::width() + Bit::width() : 0;
-  const std::vector<Layout> layouts = make_engine(configuration, kAnyLanes)->layouts(), all = all_layouts(configuration, layouts);
+  const std::vector<Layout> layouts = make_engine(configuration, kAnyLanes)->layouts(),
+                            all = all_layouts(configuration, layouts);
   const std::vector<std::pair<const char*, int>> constants = {
       {"HasDepth", depth},
       {"StoresDepth", stores_depth(c)},
@@ -300,13 +311,16 @@ std::string formats_package(const Configuration& configuration) {
 
   std::string text = fmt::format(
       "// SPDX-License-Identifier: Apache-2.0\n"
-      "// Number formats of configuration `{0}`. Printed by `halfspace package --config {0}` from hls/formats/formats.hpp\n"
+      "// Number formats of configuration `{0}`. Printed by `halfspace package --config {0}` from "
+      "hls/formats/formats.hpp\n"
       "// and hls/formats/records.hpp: change those, not this file.\n"
       "package hs_formats_pkg;\n\n",
       configuration.name());
-  text += constants_text(constants) + lighting_text(c, layouts) + texture_text(c, layouts) + motion_text(c, all) + object_text(c, all) + "\n";
+  text += constants_text(constants) + lighting_text(c, layouts) + texture_text(c, layouts) + motion_text(c, all) +
+          object_text(c, all) + "\n";
   for (const Type& type : types) {
-    if (type.is_there) text += fmt::format("  typedef {}{}_t;\n", range(type.format.width, type.format.is_signed), type.name);
+    if (type.is_there)
+      text += fmt::format("  typedef {}{}_t;\n", range(type.format.width, type.format.is_signed), type.name);
   }
   text += "\n";
   for (const Layout& layout : layouts) {

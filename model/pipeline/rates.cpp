@@ -32,9 +32,11 @@ ref::Rates count_rates(Engine& engine, const ref::SnappedList& scene, const Conf
       lit = count_set(layout, words, count, "index") * std::uint64_t(vertices);
     }
     if (layout.stream == "texture_planes") {
-      const Field &empty = field_named(layout, "empty"), &index = field_named(layout, "index"), &texture = field_named(layout, "texture");
+      const Field &empty = field_named(layout, "empty"), &index = field_named(layout, "index"),
+                  &texture = field_named(layout, "texture");
       for (std::size_t n = 0; n < count; ++n) {
-        if (field_value(words[n], empty) == 0) has_texture[field_value(words[n], index)] = field_value(words[n], texture) != 0;
+        if (field_value(words[n], empty) == 0)
+          has_texture[field_value(words[n], index)] = field_value(words[n], texture) != 0;
       }
     }
     if (layout.stream == "scan" && !has_texture.empty()) {

@@ -5,8 +5,8 @@
 
 #include <cstdint>
 
-#include "ref/geometry/geometry.hpp"
 #include "model/shade/lighting.hpp"
+#include "ref/geometry/geometry.hpp"
 
 namespace halfspace::model {
 

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "hls/formats/formats.hpp"
-#include "ref/geometry/distant_lighting.hpp"
 #include "model/formats/configuration.hpp"
 #include "model/formats/layout.hpp"
+#include "ref/geometry/distant_lighting.hpp"
 
 namespace halfspace::model {
 

@@ -25,8 +25,7 @@ std::optional<Scene> builtin_scene(const std::string& name) {
     scene.name = name;
     for (const Instance& instance : scene.instances) {
       const Mesh& mesh = scene.meshes[instance.mesh];
-      for (const glm::dvec3& p : mesh.positions)
-        scene.framing.emplace_back(instance.to_world * glm::dvec4(p, 1));
+      for (const glm::dvec3& p : mesh.positions) scene.framing.emplace_back(instance.to_world * glm::dvec4(p, 1));
     }
     return scene;
   }

@@ -27,8 +27,7 @@ class Mason {
   }
 
   // A wall from one foot to another, with merlons along its left side.
-  void wall(const glm::dvec3& from, const glm::dvec3& to, double height, double thickness,
-            const glm::dvec3& stone) {
+  void wall(const glm::dvec3& from, const glm::dvec3& to, double height, double thickness, const glm::dvec3& stone) {
     const double length = glm::distance(from, to);
     const glm::dvec3 along = (to - from) / length, across = glm::cross(along, kUp);  // to the right
     colour(stone);
@@ -37,8 +36,8 @@ class Mason {
     const double pitch = length / merlons;
     for (int i = 0; i < merlons; ++i) {
       colour(stone);
-      builder.block(from - across * (thickness / 2) + along * ((i + 0.25) * pitch) + kUp * height,
-                    along * (pitch / 2), kUp * 0.9, across * 0.6);
+      builder.block(from - across * (thickness / 2) + along * ((i + 0.25) * pitch) + kUp * height, along * (pitch / 2),
+                    kUp * 0.9, across * 0.6);
     }
   }
 
@@ -52,17 +51,16 @@ class Mason {
     constexpr int kSides = 16, kMerlons = 8;
     const double top = radius + 0.45;
     colour(stone);
-    builder.lathe(
-        foot, {{radius + 0.5, 0}, {radius, 2}, {radius, height - 1.2}, {top, height - 0.6}, {top, height}},
-        kSides);
+    builder.lathe(foot, {{radius + 0.5, 0}, {radius, 2}, {radius, height - 1.2}, {top, height - 0.6}, {top, height}},
+                  kSides);
     builder.disc(foot + kUp * height, top, kSides, true);
     for (int i = 0; i < kMerlons; ++i) {
       const double angle = 2 * glm::pi<double>() * (i + 0.5) / kMerlons;
       const glm::dvec3 outward(std::cos(angle), 0, std::sin(angle)), along = glm::cross(outward, kUp);
       const double width = 0.4 * top;
       colour(stone);
-      builder.block(foot + kUp * height + outward * (top - 0.6) + along * (width / 2), -along * width,
-                    kUp * 0.9, outward * 0.5);
+      builder.block(foot + kUp * height + outward * (top - 0.6) + along * (width / 2), -along * width, kUp * 0.9,
+                    outward * 0.5);
     }
   }
 
@@ -89,8 +87,7 @@ class Mason {
     builder.polygon({a, b, ridge});
     builder.polygon({b + length, a + length, ridge + length});
     builder.colour = kShade;
-    builder.box(low + glm::dvec3(size.x * 0.4, 0, size.z),
-                low + glm::dvec3(size.x * 0.6, size.y * 0.7, size.z + 0.05));
+    builder.box(low + glm::dvec3(size.x * 0.4, 0, size.z), low + glm::dvec3(size.x * 0.6, size.y * 0.7, size.z + 0.05));
   }
 
   void ground(double half, int fields) {

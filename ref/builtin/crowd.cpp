@@ -7,15 +7,15 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "ref/error.hpp"
 #include "ref/builtin/mesh_builder.hpp"
+#include "ref/error.hpp"
 
 namespace halfspace::ref {
 namespace {
 
-constexpr double kHalfHeight = 0.3;              // of the view at distance 1
-constexpr double kNearest = 1, kFarthest = 2;    // distances of the objects
-constexpr int kAround = 48, kAcross = 47;        // 2 · 48 · 47 triangles
+constexpr double kHalfHeight = 0.3;            // of the view at distance 1
+constexpr double kNearest = 1, kFarthest = 2;  // distances of the objects
+constexpr int kAround = 48, kAcross = 47;      // 2 · 48 · 47 triangles
 const glm::dvec3 kColours[] = {{0.85, 0.62, 0.18}, {0.25, 0.55, 0.85}, {0.80, 0.30, 0.30}};
 
 }  // namespace

@@ -39,8 +39,7 @@ Scene cube() {
 
 Scene pyramid() {
   MeshBuilder builder;
-  const glm::dvec3 colours[4] = {
-      {0.90, 0.75, 0.35}, {0.80, 0.35, 0.25}, {0.30, 0.60, 0.70}, {0.50, 0.70, 0.35}};
+  const glm::dvec3 colours[4] = {{0.90, 0.75, 0.35}, {0.80, 0.35, 0.25}, {0.30, 0.60, 0.70}, {0.50, 0.70, 0.35}};
   const glm::dvec3 base[4] = {{-1, 0, 1}, {1, 0, 1}, {1, 0, -1}, {-1, 0, -1}}, apex(0, 1.5, 0);
   for (int i = 0; i < 4; ++i) {
     builder.colour = colours[i];

@@ -11,8 +11,7 @@ namespace {
 ClipVertex cross(const ClipVertex& inner, const ClipVertex& outer, const ClipPlane& plane) {
   const double in = glm::dot(plane, inner.position), out = glm::dot(plane, outer.position);
   const double t = in / (in - out);
-  return {inner.position + t * (outer.position - inner.position),
-          inner.weights + t * (outer.weights - inner.weights)};
+  return {inner.position + t * (outer.position - inner.position), inner.weights + t * (outer.weights - inner.weights)};
 }
 
 }  // namespace

@@ -32,7 +32,8 @@ glm::dvec3 unit_or_zero(const glm::dvec3& v) {
 
 class Builder {
  public:
-  Builder(const Scene& scene, const Viewpoint& from, int most_squarings) : scene_(scene), most_squarings_(most_squarings) {
+  Builder(const Scene& scene, const Viewpoint& from, int most_squarings)
+      : scene_(scene), most_squarings_(most_squarings) {
     const glm::dvec3 centre = centre_of(scene), to_viewer = from.to_viewer(centre);
     for (const Light& light : lights_of(scene, from)) {
       const Arrival arrival = arrive(light, centre);
@@ -93,7 +94,8 @@ DistantScene distant_scene(const Scene& scene, const Viewpoint& from, int most_s
   return Builder(scene, from, most_squarings).take();
 }
 
-glm::dvec3 distant_colour(const DistantMaterial& material, const std::vector<DistantLight>& lights, const glm::dvec3& n) {
+glm::dvec3 distant_colour(const DistantMaterial& material, const std::vector<DistantLight>& lights,
+                          const glm::dvec3& n) {
   const double length = glm::length(n);
   glm::dvec3 total = material.base;
   for (std::size_t i = 0; length > 0 && i < lights.size(); ++i) {

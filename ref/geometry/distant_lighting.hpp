@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lighting with lights and viewer at infinity, as hardware lights: L and H of a light, and what a material makes of it, are
-// the same all over a frame. A point or spot light counts with the direction and the intensity that it has at the
+// Lighting with lights and viewer at infinity, as hardware lights: L and H of a light, and what a material makes of it,
+// are the same all over a frame. A point or spot light counts with the direction and the intensity that it has at the
 // centre of the scene's bounding box, and so does the viewer. In doubles.
 #ifndef HALFSPACE_REF_GEOMETRY_DISTANT_LIGHTING_HPP_
 #define HALFSPACE_REF_GEOMETRY_DISTANT_LIGHTING_HPP_
@@ -9,8 +9,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "ref/scene/scene.hpp"
 #include "ref/geometry/viewpoint.hpp"
+#include "ref/scene/scene.hpp"
 
 namespace halfspace::ref {
 
@@ -39,8 +39,9 @@ struct DistantTriangle {
 struct DistantScene {
   std::vector<DistantLight> lights;
   std::vector<DistantMaterial> materials;  // as many as differ
-  std::vector<DistantTriangle> triangles;  // all of the scene; of a two-sided mesh each twice, seen from behind after it
-  std::vector<std::uint32_t> of_face;      // where the triangle of face n of the scene, from 1 on, stands: at [n - 1]
+  std::vector<DistantTriangle>
+      triangles;                       // all of the scene; of a two-sided mesh each twice, seen from behind after it
+  std::vector<std::uint32_t> of_face;  // where the triangle of face n of the scene, from 1 on, stands: at [n - 1]
 };
 
 // log2 of the exponent, to nearest and within 0 … most; −1, no highlights, for a shininess of 0.
@@ -50,7 +51,8 @@ int squarings(double shininess, int most);
 DistantScene distant_scene(const Scene&, const Viewpoint&, int most_squarings);
 
 // Of a normal of any length:
-//   I = base + sum of [ diffuse max(0, N·L) + (N·L > 0) specular max(0, N·H)^(2^k) ],  N = n / |n|, in 0-255, clamped to it
+//   I = base + sum of [ diffuse max(0, N·L) + (N·L > 0) specular max(0, N·H)^(2^k) ],  N = n / |n|, in 0-255, clamped
+//   to it
 glm::dvec3 distant_colour(const DistantMaterial&, const std::vector<DistantLight>&, const glm::dvec3& n);
 
 class Geometry;

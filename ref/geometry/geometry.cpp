@@ -22,10 +22,10 @@ Geometry::Geometry(const Scene& scene, const View& view)
       list_{view.width, view.height, {scene.background.r, scene.background.g, scene.background.b}, {}, {}} {
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) draw(i);
   if (list_.triangles.empty()) {
-    throw Error(fmt::format(
-        "{}: no triangle faces the camera within the frame; turn the camera, or take it out of the file"
-        " to have the scene framed",
-        scene_.name));
+    throw Error(
+        fmt::format("{}: no triangle faces the camera within the frame; turn the camera, or take it out of the file"
+                    " to have the scene framed",
+                    scene_.name));
   }
 }
 
@@ -50,7 +50,10 @@ void Geometry::draw(std::uint32_t number) {
     face_parts(clip(std::move(polygon), guard_planes_), two_sided, view_, [&](const FacePart& part) {
       list_.triangles.push_back(part.triangle);
       list_.face.push_back(face_);
-      origins_.push_back({number, corner, two_sided && !faces, {part.from[0]->weights, part.from[1]->weights, part.from[2]->weights},
+      origins_.push_back({number,
+                          corner,
+                          two_sided && !faces,
+                          {part.from[0]->weights, part.from[1]->weights, part.from[2]->weights},
                           {part.from[0]->position.w, part.from[1]->position.w, part.from[2]->position.w}});
     });
   }

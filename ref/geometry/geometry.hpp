@@ -11,24 +11,24 @@
 #include "ref/geometry/clip.hpp"
 #include "ref/geometry/lighting.hpp"
 #include "ref/geometry/projection.hpp"
-#include "ref/scene/scene.hpp"
 #include "ref/geometry/triangle_list.hpp"
 #include "ref/geometry/viewpoint.hpp"
+#include "ref/scene/scene.hpp"
 
 namespace halfspace::ref {
 
 // What a triangle of a frame is a part of.
 struct Origin {
-  std::uint32_t instance;                     // of the scene
-  std::array<std::uint32_t, 3> corner;        // vertices of the mesh, counter-clockwise seen from outside
-  bool back;                                  // a two-sided one, seen from behind
-  std::array<glm::dvec3, 3> weights;          // of the corners at each of its vertices: (1, 0, 0), … unless it was clipped
-  std::array<double, 3> w;                    // of its vertices in clip space
+  std::uint32_t instance;               // of the scene
+  std::array<std::uint32_t, 3> corner;  // vertices of the mesh, counter-clockwise seen from outside
+  bool back;                            // a two-sided one, seen from behind
+  std::array<glm::dvec3, 3> weights;    // of the corners at each of its vertices: (1, 0, 0), … unless it was clipped
+  std::array<double, 3> w;              // of its vertices in clip space
 };
 
-// Transform, clipping, division, viewport, culling by the constructor; Phong lighting at the vertices on request. Triangles come
-// in the order of instances, meshes and faces, each with the number of its face, which no view changes. Error when none is
-// left. The scene outlives it.
+// Transform, clipping, division, viewport, culling by the constructor; Phong lighting at the vertices on request.
+// Triangles come in the order of instances, meshes and faces, each with the number of its face, which no view changes.
+// Error when none is left. The scene outlives it.
 class Geometry {
  public:
   Geometry(const Scene&, const View&);

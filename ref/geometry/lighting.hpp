@@ -5,8 +5,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "ref/scene/scene.hpp"
 #include "ref/geometry/viewpoint.hpp"
+#include "ref/scene/scene.hpp"
 
 namespace halfspace::ref {
 

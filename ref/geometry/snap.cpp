@@ -13,8 +13,8 @@ namespace {
 // Why the list is beyond the format; empty when it is not.
 std::string misfit(const TriangleList& list, const RasterFormat& format) {
   if (list.width < 1 || list.height < 1 || list.width > format.width || list.height > format.height) {
-    return fmt::format("the frame of {}x{} pixels does not fit configuration {}, which takes 1x1 to {}x{}",
-                       list.width, list.height, format.name, format.width, format.height);
+    return fmt::format("the frame of {}x{} pixels does not fit configuration {}, which takes 1x1 to {}x{}", list.width,
+                       list.height, format.name, format.width, format.height);
   }
   if (list.triangles.size() > static_cast<std::size_t>(format.triangles)) {
     return fmt::format("the {} triangles do not fit configuration {}, which takes {}", list.triangles.size(),
@@ -27,10 +27,9 @@ std::string misfit(const TriangleList& list, const RasterFormat& format) {
       for (const auto& [axis, pixels] : {std::pair('x', vertex.x), std::pair('y', vertex.y)}) {
         const double position = snapped_position(pixels, format.subpixel_bits);
         if (position >= -limit && position < limit) continue;
-        return fmt::format(
-            "triangle {}, vertex {}: {} = {} does not fit configuration {}, which takes [{}, {}) pixels",
-            k + 1, v, axis, pixels, format.name, -(1 << (format.range_bits - 1)),
-            1 << (format.range_bits - 1));
+        return fmt::format("triangle {}, vertex {}: {} = {} does not fit configuration {}, which takes [{}, {}) pixels",
+                           k + 1, v, axis, pixels, format.name, -(1 << (format.range_bits - 1)),
+                           1 << (format.range_bits - 1));
       }
     }
   }
@@ -49,16 +48,13 @@ std::string remedy(const TriangleList& list, const std::vector<RasterFormat>& ot
 
 // Scaling by 2^f is exact, so there is one rounding, in the mode the program starts in: to nearest, ties to
 // even.
-double snapped_position(double pixels, int subpixel_bits) {
-  return std::nearbyint(std::ldexp(pixels, subpixel_bits));
-}
+double snapped_position(double pixels, int subpixel_bits) { return std::nearbyint(std::ldexp(pixels, subpixel_bits)); }
 
 std::uint8_t snapped_colour(double value, int bits) {
   return static_cast<std::uint8_t>(std::round(value * (full_depth(bits) / 255.0)));
 }
 
-SnappedList snap(const TriangleList& list, const RasterFormat& format,
-                 const std::vector<RasterFormat>& others) {
+SnappedList snap(const TriangleList& list, const RasterFormat& format, const std::vector<RasterFormat>& others) {
   const std::string reason = misfit(list, format);
   if (!reason.empty()) throw Error(reason + "; " + remedy(list, others));
 
@@ -91,7 +87,7 @@ TriangleList unsnap(const SnappedList& list) {
     auto& triangle = out.triangles.emplace_back();
     for (int v = 0; v < 3; ++v) {
       triangle[v] = {std::ldexp(s.x[v], -f), std::ldexp(s.y[v], -f), full == 0 ? 0 : s.depth[v] / full,
-                     s.rgb[v][0] * colour,    s.rgb[v][1] * colour,    s.rgb[v][2] * colour};
+                     s.rgb[v][0] * colour,   s.rgb[v][1] * colour,   s.rgb[v][2] * colour};
     }
   }
   return out;

@@ -15,11 +15,11 @@ namespace halfspace::ref {
 // What a hardware configuration takes; filled by the caller, as this folder knows none.
 struct RasterFormat {
   std::string name;
-  int width, height;  // largest frame, pixels
-  int triangles;      // triangles a frame
-  int range_bits;     // positions lie in [-2^(range_bits-1), 2^(range_bits-1)) pixels
-  int subpixel_bits;  // f, fraction bits of a position, 1 or more
-  int depth_bits;     // b, bits of a depth, 32 or less; 0: no depth, the first drawn wins
+  int width, height;    // largest frame, pixels
+  int triangles;        // triangles a frame
+  int range_bits;       // positions lie in [-2^(range_bits-1), 2^(range_bits-1)) pixels
+  int subpixel_bits;    // f, fraction bits of a position, 1 or more
+  int depth_bits;       // b, bits of a depth, 32 or less; 0: no depth, the first drawn wins
   int colour_bits = 8;  // bits of a channel, 8 or less
   bool flat = false;    // a triangle has the colour of its vertex 0
 };

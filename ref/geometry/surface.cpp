@@ -60,7 +60,11 @@ class GivenSurface : public Surface {
 class LitSurface : public Surface {
  public:
   LitSurface(Geometry& geometry, const SnappedList& list, bool flat)
-      : geometry_(geometry), colour_bits_(list.format.colour_bits), flat_(flat), planes_(list.format, flat), lit_(list.triangles) {}
+      : geometry_(geometry),
+        colour_bits_(list.format.colour_bits),
+        flat_(flat),
+        planes_(list.format, flat),
+        lit_(list.triangles) {}
 
   int light(std::uint32_t k) override {
     std::array<glm::dvec3, 3> colours;
@@ -86,7 +90,9 @@ class LitSurface : public Surface {
 class PhongSurface : public Surface {
  public:
   PhongSurface(Geometry& geometry, const SnappedList& list)
-      : geometry_(geometry), list_(list), scene_(distant_scene(geometry.scene(), geometry.viewpoint(), kMostSquarings)) {}
+      : geometry_(geometry),
+        list_(list),
+        scene_(distant_scene(geometry.scene(), geometry.viewpoint(), kMostSquarings)) {}
 
   int light(std::uint32_t) override { return 0; }
   std::array<std::uint8_t, 4> colour(std::uint32_t k, int x, int y, std::uint64_t& lightings, std::uint64_t&) override {
@@ -121,11 +127,13 @@ class PhongSurface : public Surface {
 
 class TexturedSurface : public Surface {
  public:
-  TexturedSurface(std::unique_ptr<Surface> lit, const Geometry& geometry, const SnappedList& list, const TextureMode& mode)
+  TexturedSurface(std::unique_ptr<Surface> lit, const Geometry& geometry, const SnappedList& list,
+                  const TextureMode& mode)
       : lit_(std::move(lit)), geometry_(geometry), list_(list), mode_(mode) {}
 
   int light(std::uint32_t k) override { return lit_->light(k); }
-  std::array<std::uint8_t, 4> colour(std::uint32_t k, int x, int y, std::uint64_t& lightings, std::uint64_t& texels) override {
+  std::array<std::uint8_t, 4> colour(std::uint32_t k, int x, int y, std::uint64_t& lightings,
+                                     std::uint64_t& texels) override {
     std::array<std::uint8_t, 4> colour = lit_->colour(k, x, y, lightings, texels);
     if (k != k_) set(k);
     if (texture_ < 0) return colour;
@@ -163,8 +171,8 @@ class TexturedSurface : public Surface {
 
 }  // namespace
 
-std::unique_ptr<Surface> textured_surface(std::unique_ptr<Surface> lit, const Geometry& geometry, const SnappedList& list,
-                                          const TextureMode& mode) {
+std::unique_ptr<Surface> textured_surface(std::unique_ptr<Surface> lit, const Geometry& geometry,
+                                          const SnappedList& list, const TextureMode& mode) {
   return std::make_unique<TexturedSurface>(std::move(lit), geometry, list, mode);
 }
 
@@ -173,7 +181,8 @@ const char* name_of(ShadingMode mode) {
   return kNames[int(mode)];
 }
 
-glm::dvec3 normal_at(const OrderedTriangle& triangle, const std::array<glm::dvec3, 3>& normals, int subpixel_bits, int x, int y) {
+glm::dvec3 normal_at(const OrderedTriangle& triangle, const std::array<glm::dvec3, 3>& normals, int subpixel_bits,
+                     int x, int y) {
   const std::array<double, 3> weights =
       vertex_weights(triangle, pixel_centre(x, subpixel_bits), pixel_centre(y, subpixel_bits));
   return weights[0] * normals[0] + weights[1] * normals[1] + weights[2] * normals[2];

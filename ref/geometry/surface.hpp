@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What triangles look like: asked for triangle by triangle and pixel by pixel, so that it can be asked late, and counted.
+// What triangles look like: asked for triangle by triangle and pixel by pixel, so that it can be asked late, and
+// counted.
 #ifndef HALFSPACE_REF_GEOMETRY_SURFACE_HPP_
 #define HALFSPACE_REF_GEOMETRY_SURFACE_HPP_
 
@@ -8,8 +9,8 @@
 #include <memory>
 
 #include "ref/geometry/geometry.hpp"
-#include "ref/raster/plane.hpp"
 #include "ref/geometry/snap.hpp"
+#include "ref/raster/plane.hpp"
 
 namespace halfspace::ref {
 
@@ -18,7 +19,8 @@ constexpr ShadingMode kShadingModes[] = {ShadingMode::kFlat, ShadingMode::kGoura
 const char* name_of(ShadingMode);  // "flat", …
 
 // The normal by planes at the centre of a pixel, of those of the vertices in the order given.
-glm::dvec3 normal_at(const OrderedTriangle& triangle, const std::array<glm::dvec3, 3>& normals, int subpixel_bits, int x, int y);
+glm::dvec3 normal_at(const OrderedTriangle& triangle, const std::array<glm::dvec3, 3>& normals, int subpixel_bits,
+                     int x, int y);
 
 class Surface {
  public:
@@ -26,11 +28,12 @@ class Surface {
   // Makes ready to shade triangle `k`, from 1 on; asked once, before its colours. Returns the lightings that it took.
   virtual int light(std::uint32_t k) = 0;
   // The colour at the centre of a pixel of triangle `k`. Adds the lightings and the texels that it took.
-  virtual std::array<std::uint8_t, 4> colour(std::uint32_t k, int x, int y, std::uint64_t& lightings, std::uint64_t& texels) = 0;
+  virtual std::array<std::uint8_t, 4> colour(std::uint32_t k, int x, int y, std::uint64_t& lightings,
+                                             std::uint64_t& texels) = 0;
 };
 
-// Colours that came with the triangles, over exact planes; flat by the format. Lights nothing, and counts what lighting would
-// have taken: one, or three.
+// Colours that came with the triangles, over exact planes; flat by the format. Lights nothing, and counts what lighting
+// would have taken: one, or three.
 std::unique_ptr<Surface> given_surface(const SnappedList&);
 
 // The triangles of a geometry, lit when they are asked for. `list` are its positions, snapped. Both outlive it.
@@ -48,7 +51,8 @@ struct TextureMode {
   TextureMapping mapping = TextureMapping::kPerspective;
 };
 // What `lit` shows, times the texture where a triangle has one. The scene of the geometry was loaded with its textures.
-std::unique_ptr<Surface> textured_surface(std::unique_ptr<Surface> lit, const Geometry&, const SnappedList& list, const TextureMode&);
+std::unique_ptr<Surface> textured_surface(std::unique_ptr<Surface> lit, const Geometry&, const SnappedList& list,
+                                          const TextureMode&);
 
 }  // namespace halfspace::ref
 

@@ -28,18 +28,14 @@ class TriReader {
       split(line);
       if (!fields_.empty()) read_line();
     }
-    if (file.bad())
-      throw Error(fmt::format("{}:{}: the file cannot be read further; check the disk", path_, line_));
+    if (file.bad()) throw Error(fmt::format("{}:{}: the file cannot be read further; check the disk", path_, line_));
     if (!sized_) throw Error(fmt::format("{}: there is no line 'size W H'; put it first", path_));
-    if (list_.triangles.empty())
-      throw Error(fmt::format("{}: there are no triangles; add a line 't ...'", path_));
+    if (list_.triangles.empty()) throw Error(fmt::format("{}: there are no triangles; add a line 't ...'", path_));
     return std::move(list_);
   }
 
  private:
-  [[noreturn]] void fail(const std::string& what) const {
-    throw Error(fmt::format("{}:{}: {}", path_, line_, what));
-  }
+  [[noreturn]] void fail(const std::string& what) const { throw Error(fmt::format("{}:{}: {}", path_, line_, what)); }
 
   void split(const std::string& line) {
     constexpr const char* kBlank = " \t\r\v\f";
@@ -69,8 +65,7 @@ class TriReader {
     const std::size_t got = fields_.size() - 1;
     if (got == count) return;
     if (got < count && cut_) {
-      fail(
-          fmt::format("the file ends in the middle of a line ({} numbers of {}); copy it again", got, count));
+      fail(fmt::format("the file ends in the middle of a line ({} numbers of {}); copy it again", got, count));
     }
     fail(fmt::format("{} numbers where {} are needed; write '{}'", got, count, form));
   }
@@ -95,8 +90,8 @@ class TriReader {
   double number_in(std::size_t field, const char* what, double low, double high) const {
     const double value = number(field);
     if (value < low || value > high) {
-      fail(fmt::format("field {}: {} = {} is outside [{}, {}]; write a number in it", field + 1, what, value,
-                       low, high));
+      fail(fmt::format("field {}: {} = {} is outside [{}, {}]; write a number in it", field + 1, what, value, low,
+                       high));
     }
     return value;
   }

@@ -27,7 +27,8 @@ struct TriangleList {
   int width, height;  // pixels
   std::array<double, 3> background{0, 0, 0};
   std::vector<std::array<Vertex, 3>> triangles;
-  // Of which face of the scene each is a part, from 1 on; empty when nothing was clipped or culled: triangle k is face k.
+  // Of which face of the scene each is a part, from 1 on; empty when nothing was clipped or culled: triangle k is face
+  // k.
   std::vector<std::uint32_t> face{};
 };
 

@@ -21,8 +21,7 @@ Viewpoint look(const glm::dvec3& eye, const glm::dvec3& direction, const glm::dv
   Viewpoint view{eye, glm::normalize(direction), {}, {}, false, {}};
   glm::dvec3 right = glm::cross(view.forward, up_hint);
   if (!(glm::length(right) > 1e-9)) {
-    right =
-        glm::cross(view.forward, std::abs(view.forward.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0));
+    right = glm::cross(view.forward, std::abs(view.forward.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0));
   }
   view.right = glm::normalize(right);
   view.up = glm::cross(view.right, view.forward);

@@ -20,9 +20,7 @@ struct Viewpoint {
   }
   bool operator!=(const Viewpoint& o) const { return !(*this == o); }
 
-  glm::dvec3 to_viewer(const glm::dvec3& point) const {
-    return orthographic ? -forward : glm::normalize(eye - point);
-  }
+  glm::dvec3 to_viewer(const glm::dvec3& point) const { return orthographic ? -forward : glm::normalize(eye - point); }
 };
 
 // The scene's camera, or one that frames the scene; `aspect` is width / height of the frame.

@@ -9,8 +9,8 @@
 #include <optional>
 #include <vector>
 
-#include "ref/motion/motion.hpp"
 #include "ref/geometry/snap.hpp"
+#include "ref/motion/motion.hpp"
 
 namespace halfspace::ref {
 

@@ -3,8 +3,8 @@
 #ifndef HALFSPACE_REF_MOTION_RELIGHT_HPP_
 #define HALFSPACE_REF_MOTION_RELIGHT_HPP_
 
-#include "ref/motion/compensate.hpp"
 #include "ref/geometry/geometry.hpp"
+#include "ref/motion/compensate.hpp"
 
 namespace halfspace::ref {
 

@@ -6,8 +6,8 @@
 #include <memory>
 #include <optional>
 
-#include "ref/raster/drawn_frame.hpp"
 #include "ref/motion/relight.hpp"
+#include "ref/raster/drawn_frame.hpp"
 
 namespace halfspace::ref {
 
@@ -29,8 +29,8 @@ struct UpConversion {
   FieldSize field = FieldSize::kSamples;
   bool surfaces = false;  // identity is the surface, not the face
   bool relight = false;   // of exact motion alone
-  // What stands still between the keys is as it is rendered, and has no part in the field. Of exact motion, and a vector
-  // a sample.
+  // What stands still between the keys is as it is rendered, and has no part in the field. Of exact motion, and a
+  // vector a sample.
   bool static_buffer = false;
 };
 

@@ -37,8 +37,8 @@ struct Box {
 };
 
 struct ObjectPixel {
-  std::uint64_t key;       // depth << 32 | object; of background the largest depth, and no object
-  std::uint32_t triangle;  // of the object
+  std::uint64_t key;                   // depth << 32 | object; of background the largest depth, and no object
+  std::uint32_t triangle;              // of the object
   std::array<std::uint8_t, 4> colour;  // r, g, b, 255; 0, 0, 0, 0 as long as nobody has shaded it
 
   std::uint32_t depth() const { return std::uint32_t(key >> 32); }

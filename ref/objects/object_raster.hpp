@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "ref/geometry/face_parts.hpp"
-#include "ref/objects/object_buffer.hpp"
-#include "ref/scene/scene.hpp"
 #include "ref/geometry/snap.hpp"
+#include "ref/objects/object_buffer.hpp"
 #include "ref/raster/spans.hpp"
+#include "ref/scene/scene.hpp"
 
 namespace halfspace::ref {
 

@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "ref/geometry/viewpoint.hpp"
 #include "ref/objects/object_buffer.hpp"
 #include "ref/scene/scene.hpp"
-#include "ref/geometry/viewpoint.hpp"
 
 namespace halfspace::ref {
 

@@ -18,7 +18,8 @@ std::vector<bool> same_instances(const Scene& a, const Scene& b, double aspect);
 // Those that are the same at both keys and in between.
 std::vector<bool> static_instances(const Scene& first, const Scene& second, const Scene& between, double aspect);
 
-// The scene without these instances. It is seen from the same place, but depth planes that are not held follow what is left.
+// The scene without these instances. It is seen from the same place, but depth planes that are not held follow what is
+// left.
 Scene without(const Scene&, const std::vector<bool>& left_out);
 
 // Of each face of the scene, numbered from 1 on, the instance; of number 0 none counts.

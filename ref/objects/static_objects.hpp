@@ -32,12 +32,12 @@ struct StaticOptions {
 
 // What a frame took.
 struct FrameWork {
-  bool new_view = false;                                  // all is dynamic, and the S-buffers are empty
+  bool new_view = false;                             // all is dynamic, and the S-buffers are empty
   std::uint64_t moving = 0, added = 0, redrawn = 0;  // objects drawn: SD and DD; DS; others of an S-buffer, for an SD
-  std::uint64_t started = 0, queries = 0, skipped = 0;    // SD, seen from where the last frame was; asked; skipped
-  std::uint64_t triangles = 0;                            // of the objects drawn, handed to the rasterizer
-  std::uint64_t composed = 0;                             // pixels that were merged anew of all S-buffers
-  std::uint64_t searched = 0;  // pixels of S-buffers in which an object was asked for, or erased
+  std::uint64_t started = 0, queries = 0, skipped = 0;  // SD, seen from where the last frame was; asked; skipped
+  std::uint64_t triangles = 0;                          // of the objects drawn, handed to the rasterizer
+  std::uint64_t composed = 0;                           // pixels that were merged anew of all S-buffers
+  std::uint64_t searched = 0;    // pixels of S-buffers in which an object was asked for, or erased
   std::uint64_t drawn_into = 0;  // S-buffers into which objects were drawn
   std::uint64_t drawn() const { return moving + added + redrawn; }
 };

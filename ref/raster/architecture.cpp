@@ -27,8 +27,8 @@ class Fetches {
 
 class Renderer {
  public:
-  Renderer(const SnappedList& list, Surface& surface, Architecture architecture, bool deferred_lighting, const IndexReuse& reuse,
-           const Circuit& circuit)
+  Renderer(const SnappedList& list, Surface& surface, Architecture architecture, bool deferred_lighting,
+           const IndexReuse& reuse, const Circuit& circuit)
       : list_(list),
         surface_(surface),
         architecture_(architecture),
@@ -159,7 +159,8 @@ class Renderer {
   }
 
   void shade(std::uint32_t k, std::size_t at) {
-    out_.colour[at] = surface_.colour(k, int(at % list_.width), int(at / list_.width), out_.rates.lightings, out_.rates.texture_fetches);
+    out_.colour[at] = surface_.colour(k, int(at % list_.width), int(at / list_.width), out_.rates.lightings,
+                                      out_.rates.texture_fetches);
   }
 
   void scan_out() {
@@ -205,8 +206,8 @@ const char* name_of(Architecture architecture) {
   return kNames[int(architecture)];
 }
 
-Drawing draw(const SnappedList& list, Surface& surface, Architecture architecture, bool deferred_lighting, const IndexReuse& reuse,
-             const Circuit& circuit) {
+Drawing draw(const SnappedList& list, Surface& surface, Architecture architecture, bool deferred_lighting,
+             const IndexReuse& reuse, const Circuit& circuit) {
   return Renderer(list, surface, architecture, deferred_lighting, reuse, circuit).run();
 }
 

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "ref/motion/compensate.hpp"
 #include "ref/geometry/surface.hpp"
+#include "ref/motion/compensate.hpp"
 
 namespace halfspace::ref {
 

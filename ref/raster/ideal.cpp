@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "ref/error.hpp"
-#include "ref/raster/plane.hpp"
 #include "ref/geometry/snap.hpp"
+#include "ref/raster/plane.hpp"
 
 namespace halfspace::ref {
 namespace {
@@ -56,7 +56,8 @@ struct IdealTriangle {
     if (step == 0) return e >= 0 ? span : Span{0, -1};
     const Wide pixels = floor_div(e, step < 0 ? -step : step);  // to go, or −pixels that are missing
     if (step < 0) return {span.first, pixels < 0 ? -1 : std::min(span.last, std::int64_t(span.first + pixels))};
-    return {pixels >= 0 ? span.first : std::int64_t(std::min<Wide>(span.first - pixels, Wide(span.last) + 1)), span.last};
+    return {pixels >= 0 ? span.first : std::int64_t(std::min<Wide>(span.first - pixels, Wide(span.last) + 1)),
+            span.last};
   }
 };
 
@@ -90,9 +91,10 @@ void check(const TriangleList& list) {
   for (std::size_t k = 0; k < list.triangles.size(); ++k) {
     for (const Vertex& v : list.triangles[k]) {
       if (std::abs(v.x) < limit && std::abs(v.y) < limit) continue;
-      throw Error(fmt::format("triangle {}: a vertex at ({}, {}) is beyond the {} pixels that the ideal picture reaches; "
-                              "clip the triangle",
-                              k + 1, v.x, v.y, limit));
+      throw Error(
+          fmt::format("triangle {}: a vertex at ({}, {}) is beyond the {} pixels that the ideal picture reaches; "
+                      "clip the triangle",
+                      k + 1, v.x, v.y, limit));
     }
   }
 }
@@ -132,8 +134,7 @@ IdealFrame ideal(const TriangleList& list) {
   for (std::int64_t row = 0; row < list.height; ++row) {
     for (std::int64_t first = 0, last; first < width; first = last + 1) {
       const std::uint32_t k = index[std::size_t(row * width + first)];
-      for (last = first; last + 1 < width && index[std::size_t(row * width + last + 1)] == k; ++last) {
-      }
+      for (last = first; last + 1 < width && index[std::size_t(row * width + last + 1)] == k; ++last) {}
       if (k == 0) continue;
       const IdealTriangle t(list.triangles[k - 1]);
       along(t, row, {first, last}, [&](std::int64_t column, const std::array<double, 3>& weights) {

@@ -2,9 +2,9 @@
 // The ideal picture: what a frame comes to without snapping, without rounding and without a guard band.
 //
 // A pixel shows the triangle that is nearest at its centre. Positions stand on a grid of 2^-44 pixels, as fine as the
-// doubles that the geometry computes from 256 pixels on; on it coverage is exact, with the top-left rule, so that no centre
-// on a shared edge is lost or drawn twice. Depth and colour are weighted means of the vertices, in double: the weights are
-// exact edge functions, none negative, so nothing cancels, on slivers neither.
+// doubles that the geometry computes from 256 pixels on; on it coverage is exact, with the top-left rule, so that no
+// centre on a shared edge is lost or drawn twice. Depth and colour are weighted means of the vertices, in double: the
+// weights are exact edge functions, none negative, so nothing cancels, on slivers neither.
 #ifndef HALFSPACE_REF_RASTER_IDEAL_HPP_
 #define HALFSPACE_REF_RASTER_IDEAL_HPP_
 
@@ -36,8 +36,8 @@ struct IdealFrame {
 // The number of the face that triangle `index` (from 1 on) of the list is a part of; 0 for 0.
 std::uint32_t face_of(const TriangleList&, std::uint32_t index);
 
-// Depth test less: the first drawn wins a tie, and what lies at depth 1 is not seen. Error when a position is beyond the
-// range.
+// Depth test less: the first drawn wins a tie, and what lies at depth 1 is not seen. Error when a position is beyond
+// the range.
 IdealFrame ideal(const TriangleList&);
 
 }  // namespace halfspace::ref

@@ -13,9 +13,9 @@
 
 namespace halfspace::ref {
 
-// Indices: triangle n takes the one of triangle n − window if that turned out invisible, else a new one. So a triangle's
-// result may take `window` triangles to arrive, no list of free indices is kept, and as many indices are used as triangles
-// passed the test, and `window` more at most. 0: no index is used twice.
+// Indices: triangle n takes the one of triangle n − window if that turned out invisible, else a new one. So a
+// triangle's result may take `window` triangles to arrive, no list of free indices is kept, and as many indices are
+// used as triangles passed the test, and `window` more at most. 0: no index is used twice.
 struct IndexReuse {
   std::uint32_t window = 0;
   std::uint32_t largest = 0xffffffff;  // index value
@@ -40,7 +40,8 @@ class IndexPool {
     }
     if (index == 0) {
       if (used_ == rule_.largest) {
-        throw Error(fmt::format("more than {} triangles are visible at once: take a configuration with more index bits", rule_.largest));
+        throw Error(fmt::format("more than {} triangles are visible at once: take a configuration with more index bits",
+                                rule_.largest));
       }
       index = ++used_;
     }

@@ -49,8 +49,8 @@ struct OrderedTriangle {
   }
 };
 
-// What each vertex of the triangle, in its own order, counts at a point: exact edge functions over D, none negative at a
-// covered centre, so that nothing cancels on slivers. D is not 0.
+// What each vertex of the triangle, in its own order, counts at a point: exact edge functions over D, none negative at
+// a covered centre, so that nothing cancels on slivers. D is not 0.
 inline std::array<double, 3> vertex_weights(const OrderedTriangle& t, std::int64_t px, std::int64_t py) {
   std::array<double, 3> weights;
   for (int i = 0; i < 3; ++i) {
@@ -78,8 +78,7 @@ struct Plane {
 
   // V times D.
   Wide numerator(std::int64_t px, std::int64_t py) const {
-    return Wide(v0) * triangle.area + Wide(step_x) * (px - triangle.x[0]) +
-           Wide(step_y) * (py - triangle.y[0]);
+    return Wide(v0) * triangle.area + Wide(step_x) * (px - triangle.x[0]) + Wide(step_y) * (py - triangle.y[0]);
   }
   double exact(Wide numerator) const { return double(numerator) / double(triangle.area); }
   // floor(V + 1/2)

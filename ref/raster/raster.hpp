@@ -28,8 +28,8 @@ struct Frame {
   std::vector<bool> visible;  // triangle k at [k - 1]: has a fragment passed the test when it was drawn?
 };
 
-// Depth test less, so that the first drawn wins a tie and a fragment at 2^b - 1 never passes. Without depth the first drawn
-// wins each pixel.
+// Depth test less, so that the first drawn wins a tie and a fragment at 2^b - 1 never passes. Without depth the first
+// drawn wins each pixel.
 Frame render(const SnappedList&);
 
 // Is the centre of pixel (px, py) in the triangle? Positions below 2^30 in magnitude, the pixel's too.

@@ -16,8 +16,7 @@ struct Span {
 
 class Spans {
  public:
-  Spans(int width, int height, int subpixel_bits)
-      : width_(width), height_(height), subpixel_bits_(subpixel_bits) {}
+  Spans(int width, int height, int subpixel_bits) : width_(width), height_(height), subpixel_bits_(subpixel_bits) {}
 
   std::int64_t one() const { return std::int64_t(1) << subpixel_bits_; }  // pixel, in units of positions
   std::int64_t centre(std::int64_t pixel) const { return pixel_centre(pixel, subpixel_bits_); }
@@ -57,8 +56,7 @@ class Spans {
   static Span narrow(Span span, std::int64_t e, std::int64_t step) {
     if (step > 0)
       return {std::min(span.first + std::max<std::int64_t>(0, -floor_div(e, step)), span.last + 1), span.last};
-    if (step < 0)
-      return {span.first, std::max(std::min(span.last, span.first + floor_div(e, -step)), span.first - 1)};
+    if (step < 0) return {span.first, std::max(std::min(span.last, span.first + floor_div(e, -step)), span.first - 1)};
     return e >= 0 ? span : Span{span.first, span.first - 1};
   }
 

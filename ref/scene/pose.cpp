@@ -27,8 +27,7 @@ std::map<unsigned, double> between(const aiMeshMorphKey& a, const aiMeshMorphKey
 
 template <class Key>
 auto at_time(const Key* keys, unsigned count, double ticks) {
-  const Key* next =
-      std::upper_bound(keys, keys + count, ticks, [](double t, const Key& key) { return t < key.mTime; });
+  const Key* next = std::upper_bound(keys, keys + count, ticks, [](double t, const Key& key) { return t < key.mTime; });
   if (next == keys) return between(*next, *next, 0);
   const Key* last = next - 1;
   if (next == keys + count || next->mTime <= last->mTime) return between(*last, *last, 0);
@@ -79,8 +78,7 @@ Pose::Pose(const aiScene& scene, double time_seconds) {
 
 void Pose::place(const aiNode& node, const glm::dmat4& parent) {
   const auto animated = animated_.find(node.mName.C_Str());
-  const glm::dmat4 here =
-      parent * (animated == animated_.end() ? to_glm(node.mTransformation) : animated->second);
+  const glm::dmat4 here = parent * (animated == animated_.end() ? to_glm(node.mTransformation) : animated->second);
   by_node_[&node] = here;
   by_name_.emplace(node.mName.C_Str(), here);
   for (unsigned i = 0; i < node.mNumChildren; ++i) place(*node.mChildren[i], here);
@@ -113,7 +111,8 @@ void morph(const aiMesh& source, const std::vector<double>& weights, Mesh* mesh)
     for (unsigned i = 0; i < source.mNumAnimMeshes; ++i) {
       const aiAnimMesh& anim = *source.mAnimMeshes[i];
       if (!(anim.*target) || anim.mNumVertices != base.size()) continue;
-      for (std::size_t v = 0; v < base.size(); ++v) values[v] += weights[i] * (to_glm((anim.*target)[v]) - less * base[v]);
+      for (std::size_t v = 0; v < base.size(); ++v)
+        values[v] += weights[i] * (to_glm((anim.*target)[v]) - less * base[v]);
     }
   };
   blend(mesh->positions, &aiAnimMesh::mVertices);

@@ -17,8 +17,8 @@ glm::dmat4 to_glm(const aiMatrix4x4&);
 inline glm::dvec3 to_glm(const aiVector3D& v) { return {v.x, v.y, v.z}; }
 inline glm::dvec3 to_glm(const aiColor3D& c) { return {c.r, c.g, c.b}; }
 
-// Where every node of a file stands at a time, and how far its meshes have morphed, as the first animation has it; held at its ends outside its
-// duration. Assimp joins nodes, bones, cameras and lights by name.
+// Where every node of a file stands at a time, and how far its meshes have morphed, as the first animation has it; held
+// at its ends outside its duration. Assimp joins nodes, bones, cameras and lights by name.
 class Pose {
  public:
   Pose(const aiScene&, double time_seconds);

@@ -14,9 +14,9 @@ namespace halfspace::ref {
 namespace {
 
 [[noreturn]] void fail(const std::string& path, double promised, double found, const char* unit) {
-  throw Error(fmt::format(
-      "{}: the header announces {:.0f} elements, but only {:.0f} {} follow; copy or export the file again",
-      path, promised, found, unit));
+  throw Error(
+      fmt::format("{}: the header announces {:.0f} elements, but only {:.0f} {} follow; copy or export the file again",
+                  path, promised, found, unit));
 }
 
 // What is left of a file, in lines that are not blank, and in bytes.

@@ -16,16 +16,15 @@ bool finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.
 void check_mesh(const Scene& scene, const Mesh& mesh) {
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     if (finite(mesh.positions[i])) continue;
-    throw Error(fmt::format(
-        "{}: mesh '{}', vertex {}: a coordinate is NaN or infinite; export the file again without it",
-        scene.name, mesh.name, i));
+    throw Error(
+        fmt::format("{}: mesh '{}', vertex {}: a coordinate is NaN or infinite; export the file again without it",
+                    scene.name, mesh.name, i));
   }
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (const std::uint32_t i : mesh.triangles[t]) {
       if (i < mesh.positions.size()) continue;
-      throw Error(
-          fmt::format("{}: mesh '{}', face {}: index {} is beyond its {} vertices; export the file again",
-                      scene.name, mesh.name, t, i, mesh.positions.size()));
+      throw Error(fmt::format("{}: mesh '{}', face {}: index {} is beyond its {} vertices; export the file again",
+                              scene.name, mesh.name, t, i, mesh.positions.size()));
     }
   }
 }
@@ -37,14 +36,12 @@ void check(const Scene& scene) {
     const Mesh& mesh = scene.meshes[instance.mesh];
     for (int column = 0; column < 4; ++column) {
       if (finite(instance.to_world[column])) continue;
-      throw Error(
-          fmt::format("{}: mesh '{}' is placed by a matrix with NaN or infinity; export the file again",
-                      scene.name, mesh.name));
+      throw Error(fmt::format("{}: mesh '{}' is placed by a matrix with NaN or infinity; export the file again",
+                              scene.name, mesh.name));
     }
     triangles += mesh.triangles.size();
   }
-  if (triangles == 0)
-    throw Error(fmt::format("{}: there are no triangles in it; export a mesh of faces", scene.name));
+  if (triangles == 0) throw Error(fmt::format("{}: there are no triangles in it; export a mesh of faces", scene.name));
 }
 
 }  // namespace

@@ -25,8 +25,8 @@ struct Material {
 struct Mesh {
   std::string name;
   std::vector<glm::dvec3> positions;
-  std::vector<glm::dvec3> normals;  // one a position, of length 1
-  std::vector<glm::dvec3> colours;  // one a position, or none at all; they multiply Ka and Kd
+  std::vector<glm::dvec3> normals;              // one a position, of length 1
+  std::vector<glm::dvec3> colours;              // one a position, or none at all; they multiply Ka and Kd
   std::vector<glm::dvec2> texture_coordinates;  // (u, v), one a position, or none at all
   std::vector<std::array<std::uint32_t, 3>> triangles;
   int material = 0;
@@ -80,8 +80,8 @@ struct Scene {
 };
 
 // A built-in scene by its name, or any file that Assimp reads, with the first of its animations (nodes,
-// bones and morph targets) at `time_seconds`; of the built-in scenes the animated ones move. Error on everything that cannot be drawn.
-// Textures are read if `textured`, and one that is missing is an error then.
+// bones and morph targets) at `time_seconds`; of the built-in scenes the animated ones move. Error on everything that
+// cannot be drawn. Textures are read if `textured`, and one that is missing is an error then.
 Scene load_scene(const std::string& name_or_path, double time_seconds = 0, bool textured = false);
 
 std::vector<std::string> builtin_scene_names();   // that stand still

@@ -20,8 +20,8 @@
 namespace halfspace::ref {
 namespace {
 
-constexpr unsigned kSteps = aiProcess_ValidateDataStructure | aiProcess_Triangulate | aiProcess_SortByPType |
-                            aiProcess_GenSmoothNormals;
+constexpr unsigned kSteps =
+    aiProcess_ValidateDataStructure | aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GenSmoothNormals;
 constexpr float kCreaseDegrees = 60;  // edges sharper than this stay edges when normals are made
 
 // Assimp drops faces whose indices are out of range, and tells only its log.
@@ -68,8 +68,7 @@ void mend_normals(Mesh* mesh) {
         continue;
       }
       const glm::dvec3& origin = mesh->positions[corner[0]];
-      const glm::dvec3 normal =
-          glm::cross(mesh->positions[corner[1]] - origin, mesh->positions[corner[2]] - origin);
+      const glm::dvec3 normal = glm::cross(mesh->positions[corner[1]] - origin, mesh->positions[corner[2]] - origin);
       const double face_length = glm::length(normal);
       mesh->normals[i] = usable(face_length) ? normal / face_length : glm::dvec3(0, 1, 0);
     }
@@ -83,7 +82,8 @@ Mesh mesh_of(const aiMesh& source, const std::string& path) {
   for (unsigned i = 0; i < source.mNumVertices; ++i) {
     mesh.positions.push_back(to_glm(source.mVertices[i]));
     mesh.normals.push_back(source.mNormals ? to_glm(source.mNormals[i]) : glm::dvec3(0));
-    if (source.mTextureCoords[0]) mesh.texture_coordinates.emplace_back(source.mTextureCoords[0][i].x, source.mTextureCoords[0][i].y);
+    if (source.mTextureCoords[0])
+      mesh.texture_coordinates.emplace_back(source.mTextureCoords[0][i].x, source.mTextureCoords[0][i].y);
     if (!source.mColors[0]) continue;
     const aiColor4D& c = source.mColors[0][i];
     mesh.colours.emplace_back(c.r, c.g, c.b);
@@ -93,9 +93,8 @@ Mesh mesh_of(const aiMesh& source, const std::string& path) {
     if (face.mNumIndices != 3) continue;  // points and lines
     for (int v = 0; v < 3; ++v) {
       if (face.mIndices[v] < source.mNumVertices) continue;
-      throw Error(
-          fmt::format("{}: mesh '{}', face {}: index {} is beyond its {} vertices; export the file again",
-                      path, mesh.name, i, face.mIndices[v], source.mNumVertices));
+      throw Error(fmt::format("{}: mesh '{}', face {}: index {} is beyond its {} vertices; export the file again", path,
+                              mesh.name, i, face.mIndices[v], source.mNumVertices));
     }
     mesh.triangles.push_back({face.mIndices[0], face.mIndices[1], face.mIndices[2]});
   }
@@ -134,8 +133,7 @@ std::vector<glm::dvec3> world_points(const Scene& scene) {
   for (const Instance& instance : scene.instances) {
     const Mesh& mesh = scene.meshes[instance.mesh];
     for (const auto& corner : mesh.triangles) {
-      for (const std::uint32_t i : corner)
-        points.emplace_back(instance.to_world * glm::dvec4(mesh.positions[i], 1));
+      for (const std::uint32_t i : corner) points.emplace_back(instance.to_world * glm::dvec4(mesh.positions[i], 1));
     }
   }
   return points;
@@ -156,8 +154,7 @@ Scene read_scene_file(const std::string& path, double time_seconds, bool texture
   scene.framing = world_points(time_seconds == 0 ? scene : geometry_at(file, meshes, start));
   scene.name = path;
   scene.duration = start.duration();
-  for (unsigned i = 0; i < file.mNumMaterials; ++i)
-    scene.materials.push_back(material_of(*file.mMaterials[i]));
+  for (unsigned i = 0; i < file.mNumMaterials; ++i) scene.materials.push_back(material_of(*file.mMaterials[i]));
   if (textured) add_textures(file, path, &scene);
   scene.materials.emplace_back();  // light grey, for meshes without one
   for (Mesh& mesh : scene.meshes) {
@@ -166,8 +163,7 @@ Scene read_scene_file(const std::string& path, double time_seconds, bool texture
   if (file.mNumCameras > 0) {
     const std::string extension = extension_of(path);
     const std::optional<Camera> at_start = camera_of(*file.mCameras[0], start, extension);
-    if (at_start && sees(*at_start, scene.framing))
-      scene.camera = camera_of(*file.mCameras[0], pose, extension);
+    if (at_start && sees(*at_start, scene.framing)) scene.camera = camera_of(*file.mCameras[0], pose, extension);
   }
   add_lights(file, pose, &scene);
   return scene;

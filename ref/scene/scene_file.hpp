@@ -8,8 +8,8 @@
 
 namespace halfspace::ref {
 
-// A file that Assimp reads. Points and lines are left out, and textures too unless they are asked for: their materials show
-// the diffuse colour. Indices and coordinates are still to be checked.
+// A file that Assimp reads. Points and lines are left out, and textures too unless they are asked for: their materials
+// show the diffuse colour. Indices and coordinates are still to be checked.
 Scene read_scene_file(const std::string& path, double time_seconds, bool textured);
 
 }  // namespace halfspace::ref

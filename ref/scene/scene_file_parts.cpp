@@ -73,8 +73,7 @@ Material material_of(const aiMaterial& source) {
   material.specular = colour_of(source, AI_MATKEY_COLOR_SPECULAR, glm::dvec3(0));
   material.emission = colour_of(source, AI_MATKEY_COLOR_EMISSIVE, glm::dvec3(0));
   float number = 1;
-  if (source.Get(AI_MATKEY_SHININESS_STRENGTH, number) == AI_SUCCESS && number >= 0)
-    material.specular *= number;
+  if (source.Get(AI_MATKEY_SHININESS_STRENGTH, number) == AI_SUCCESS && number >= 0) material.specular *= number;
   number = 0;
   source.Get(AI_MATKEY_SHININESS, number);
   material.shininess = number;
@@ -138,8 +137,7 @@ void add_lights(const aiScene& file, const Pose& pose, Scene* scene) {
     Light light;
     light.colour = sane_colour(to_glm(source.mColorDiffuse));
     light.position = to_world * glm::dvec4(to_glm(source.mPosition), 1);
-    light.attenuation = {source.mAttenuationConstant, source.mAttenuationLinear,
-                         source.mAttenuationQuadratic};
+    light.attenuation = {source.mAttenuationConstant, source.mAttenuationLinear, source.mAttenuationQuadratic};
     const glm::dvec3 direction = glm::dmat3(to_world) * to_glm(source.mDirection);
     light.direction = usable(direction) ? glm::normalize(direction) : glm::dvec3(0, 0, -1);
     light.cos_inner = std::cos(source.mAngleInnerCone / 2.0);
@@ -148,14 +146,9 @@ void add_lights(const aiScene& file, const Pose& pose, Scene* scene) {
       case aiLightSource_AMBIENT:
         ambient += glm::max(sane_colour(to_glm(source.mColorAmbient)), light.colour);
         continue;
-      case aiLightSource_DIRECTIONAL:
-        light.kind = Light::Kind::kDirectional;
-        break;
-      case aiLightSource_SPOT:
-        light.kind = Light::Kind::kSpot;
-        break;
-      default:
-        light.kind = Light::Kind::kPoint;  // an area light is a point from afar
+      case aiLightSource_DIRECTIONAL: light.kind = Light::Kind::kDirectional; break;
+      case aiLightSource_SPOT: light.kind = Light::Kind::kSpot; break;
+      default: light.kind = Light::Kind::kPoint;  // an area light is a point from afar
     }
     if (!is_black(light.colour) && std::isfinite(glm::length(light.position))) scene->lights.push_back(light);
   }

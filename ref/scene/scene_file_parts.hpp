@@ -16,8 +16,8 @@ namespace halfspace::ref {
 
 Material material_of(const aiMaterial&);
 
-// The colour textures of the materials, each once, from files beside the scene's or from inside it. The materials are those of
-// the file, in its order.
+// The colour textures of the materials, each once, from files beside the scene's or from inside it. The materials are
+// those of the file, in its order.
 void add_textures(const aiScene&, const std::string& path, Scene*);
 
 // None if the camera has no direction. `extension` is the file's: importers differ in what they store.

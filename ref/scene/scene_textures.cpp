@@ -44,7 +44,8 @@ std::string find_file(const std::string& scene, std::string named) {
     std::error_code error;
     if (fs::is_regular_file(candidate, error)) return candidate.string();
   }
-  throw Error(fmt::format("{}: its texture '{}' is not there; put it beside the file, or leave textures out", scene, named));
+  throw Error(
+      fmt::format("{}: its texture '{}' is not there; put it beside the file, or leave textures out", scene, named));
 }
 
 }  // namespace

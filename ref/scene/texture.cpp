@@ -23,9 +23,10 @@ Texture from_input(const std::string& name, std::unique_ptr<OIIO::ImageInput> in
                             OIIO::geterror()));
   }
   const OIIO::ImageSpec spec = input->spec();
-  if (spec.width < 1 || spec.height < 1 || spec.width > kLongestRead || spec.height > kLongestRead || spec.nchannels < 1) {
-    throw Error(fmt::format("{}: a texture of {}x{} texels is not taken; scale it to 1x1 to {}x{}", name, spec.width, spec.height,
-                            kLongestRead, kLongestRead));
+  if (spec.width < 1 || spec.height < 1 || spec.width > kLongestRead || spec.height > kLongestRead ||
+      spec.nchannels < 1) {
+    throw Error(fmt::format("{}: a texture of {}x{} texels is not taken; scale it to 1x1 to {}x{}", name, spec.width,
+                            spec.height, kLongestRead, kLongestRead));
   }
   std::vector<std::uint8_t> bytes(std::size_t(spec.width) * spec.height * spec.nchannels);
   if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, bytes.data())) {
@@ -49,7 +50,9 @@ const std::array<std::uint8_t, 3>& Texture::at(std::int64_t i, std::int64_t j) c
   return texels[std::size_t(wrapped(j, height)) * width + wrapped(i, width)];
 }
 
-Texture read_texture(const std::string& path, bool flip) { return from_input(path, OIIO::ImageInput::open(path), flip); }
+Texture read_texture(const std::string& path, bool flip) {
+  return from_input(path, OIIO::ImageInput::open(path), flip);
+}
 
 Texture read_texture(const std::string& name, const std::vector<std::uint8_t>& bytes, bool flip) {
   // The ending chooses the reader: the two formats that scene files embed.
@@ -92,7 +95,8 @@ glm::dvec3 sample(const Texture& texture, const glm::dvec2& uv, TextureFilter fi
   const double left = std::floor(x - 0.5), top = std::floor(y - 0.5);
   const double a = x - 0.5 - left, b = y - 0.5 - top;
   const std::int64_t i = std::int64_t(left), j = std::int64_t(top);
-  return (1 - b) * ((1 - a) * colour(i, j) + a * colour(i + 1, j)) + b * ((1 - a) * colour(i, j + 1) + a * colour(i + 1, j + 1));
+  return (1 - b) * ((1 - a) * colour(i, j) + a * colour(i + 1, j)) +
+         b * ((1 - a) * colour(i, j + 1) + a * colour(i + 1, j + 1));
 }
 
 }  // namespace halfspace::ref

@@ -20,8 +20,8 @@ struct Texture {
   const std::array<std::uint8_t, 3>& at(std::int64_t i, std::int64_t j) const;
 };
 
-// Any file that OpenImageIO reads, or the bytes of one; grey becomes r = g = b, alpha is left out. Error with the name of the
-// file. `flip`: row 0 of the file is at v = 1.
+// Any file that OpenImageIO reads, or the bytes of one; grey becomes r = g = b, alpha is left out. Error with the name
+// of the file. `flip`: row 0 of the file is at v = 1.
 Texture read_texture(const std::string& path, bool flip);
 Texture read_texture(const std::string& name, const std::vector<std::uint8_t>& bytes, bool flip);
 
@@ -29,7 +29,8 @@ Texture read_texture(const std::string& name, const std::vector<std::uint8_t>& b
 Texture resampled(const Texture& texture, int width, int height);
 
 enum class TextureFilter { kNearest, kBilinear };
-// 0-255 a channel, at (u, v) in units of the texture's sides; bilinear between the centres of four texels. Adds the texels.
+// 0-255 a channel, at (u, v) in units of the texture's sides; bilinear between the centres of four texels. Adds the
+// texels.
 glm::dvec3 sample(const Texture&, const glm::dvec2& uv, TextureFilter, std::uint64_t& texels);
 
 }  // namespace halfspace::ref

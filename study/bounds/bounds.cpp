@@ -38,27 +38,35 @@ bool BoundsReport::holds() const {
 BoundsReport proved_bounds(const Config& config) {
   BoundsReport report;
   report.rows.resize(kQuantities);
-  auto exact = [&](Quantity q, const char* kernel, const char* quantity) { report.rows[q] = {kernel, quantity, "", "", 0}; };
+  auto exact = [&](Quantity q, const char* kernel, const char* quantity) {
+    report.rows[q] = {kernel, quantity, "", "", 0};
+  };
   auto bound = [&](Quantity q, const char* kernel, const char* quantity, const std::string& unit, const char* proof,
-                   double proved) { report.rows[q] = {kernel, quantity, unit, proof, proved}; };
+                   double proved) {
+    report.rows[q] = {kernel, quantity, unit, proof, proved};
+  };
   auto place = [](int fraction) { return fmt::format("2^-{}", fraction); };
   auto reached = [&](const PlaneNumbers& n, Vertices v) { return plane_bound(n, largest_reach(config, v)); };
 
   bound(kSnap, "snap", "position", place(config.subpixel_bits) + " px", "snap", 0.5);
   exact(kEdges, "triangle_setup", "edge functions");
   if (has_planes(config)) {
-    bound(kReciprocal, "triangle_setup", "reciprocal, relative", place(config.reciprocal_bits), "triangle_setup_reciprocal", 1);
+    bound(kReciprocal, "triangle_setup", "reciprocal, relative", place(config.reciprocal_bits),
+          "triangle_setup_reciprocal", 1);
   }
   exact(kCoverage, "raster_pineda", "coverage");
-  exact(kZtest, tests_planes(config) ? "ztest_plane" : "ztest_index", has_depth(config) ? "index and depth kept" : "index kept");
+  exact(kZtest, tests_planes(config) ? "ztest_plane" : "ztest_index",
+        has_depth(config) ? "index and depth kept" : "index kept");
   exact(kScan, "scan_index", "index");
-  if (!is_phong(config)) exact(kColourSteps, "shade_gouraud", is_gouraud(config) ? "colour, from its plane" : "colour, from the triangle");
+  if (!is_phong(config))
+    exact(kColourSteps, "shade_gouraud", is_gouraud(config) ? "colour, from its plane" : "colour, from the triangle");
   if (has_depth(config)) {
     const PlaneNumbers depth = depth_numbers(config);
     const PlaneBound far = reached(depth, Vertices::kGuardBand), near = reached(depth, Vertices::kFrame);
     bound(kDepthGradient, "triangle_setup", "gradient of depth", place(depth.fraction), "triangle_setup_product", 0.5);
     bound(kDepthPlane, "triangle_setup", "depth plane", "LSB", "raster_pineda_depth", value(far.in_register));
-    bound(kDepthPlaneInFrame, "triangle_setup", "… in the frame", "LSB", "raster_pineda_depth_frame", value(near.in_register));
+    bound(kDepthPlaneInFrame, "triangle_setup", "… in the frame", "LSB", "raster_pineda_depth_frame",
+          value(near.in_register));
     exact(kDepthSteps, "raster_pineda", "depth, from its plane");
     bound(kDepthRounded, "raster_pineda", "depth, rounded", "LSB", "raster_pineda_rounded", value(far.rounded));
   }
@@ -67,16 +75,19 @@ BoundsReport proved_bounds(const Config& config) {
     const PlaneBound far = reached(colour, Vertices::kGuardBand), near = reached(colour, Vertices::kFrame);
     bound(kColourGradient, "shade_setup", "gradient of colour", place(colour.fraction), "shade_setup_product", 0.5);
     bound(kColourPlane, "shade_setup", "colour plane", "LSB", "shade_gouraud_colour", value(far.in_register));
-    bound(kColourPlaneInFrame, "shade_setup", "… in the frame", "LSB", "shade_gouraud_colour_frame", value(near.in_register));
+    bound(kColourPlaneInFrame, "shade_setup", "… in the frame", "LSB", "shade_gouraud_colour_frame",
+          value(near.in_register));
     bound(kColourRounded, "shade_gouraud", "colour, rounded", "LSB", "shade_gouraud_rounded", value(far.rounded));
   }
   if (is_phong(config)) {
     const PlaneNumbers normal = normal_numbers(config);
     const PlaneBound far = reached(normal, Vertices::kGuardBand), near = reached(normal, Vertices::kFrame);
     const std::string unit = place(config.normal_bits);
-    bound(kNormalGradient, "phong_setup", "gradient of a normal", place(config.normal_bits + normal.fraction), "phong_setup_product", 0.5);
+    bound(kNormalGradient, "phong_setup", "gradient of a normal", place(config.normal_bits + normal.fraction),
+          "phong_setup_product", 0.5);
     bound(kNormalPlane, "phong_setup", "plane of a normal", unit, "shade_phong_normal", value(far.in_register));
-    bound(kNormalPlaneInFrame, "phong_setup", "… in the frame", unit, "shade_phong_normal_frame", value(near.in_register));
+    bound(kNormalPlaneInFrame, "phong_setup", "… in the frame", unit, "shade_phong_normal_frame",
+          value(near.in_register));
     exact(kNormalSteps, "shade_phong", "normal, from its plane");
     bound(kNormalRounded, "shade_phong", "normal, rounded", unit, "shade_phong_rounded", value(far.rounded));
   }

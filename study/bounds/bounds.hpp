@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "study/bounds/bounds_triangles.hpp"
 #include "model/formats/configuration.hpp"
+#include "study/bounds/bounds_triangles.hpp"
 
 namespace halfspace::model {
 
@@ -71,7 +71,8 @@ enum Quantity {
   kQuantities
 };
 
-// Planes before rounding by class of triangles: the largest errors in LSB, and in shares of the bound of the same pixel.
+// Planes before rounding by class of triangles: the largest errors in LSB, and in shares of the bound of the same
+// pixel.
 struct ClassRow {
   std::string name;
   std::uint64_t triangles = 0, pixels = 0;

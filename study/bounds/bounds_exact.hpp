@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// A snapped triangle in exact arithmetic: the order of its vertices, coverage, planes. It shares no code with hls/ or ref/.
+// A snapped triangle in exact arithmetic: the order of its vertices, coverage, planes. It shares no code with hls/ or
+// ref/.
 //
-// No sum here leaves 128 bits: with |D| < 2^(2c), 2c + 3 <= 64 and b + g + f <= 63 for every accepted configuration, the
-// largest is a register of b + g bits times D, below 2^124.
+// No sum here leaves 128 bits: with |D| < 2^(2c), 2c + 3 <= 64 and b + g + f <= 63 for every accepted configuration,
+// the largest is a register of b + g bits times D, below 2^124.
 #ifndef HALFSPACE_STUDY_BOUNDS_BOUNDS_EXACT_HPP_
 #define HALFSPACE_STUDY_BOUNDS_BOUNDS_EXACT_HPP_
 

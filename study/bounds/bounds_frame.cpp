@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <map>
 
-#include "study/bounds/bounds_measure.hpp"
 #include "model/pipeline/engine.hpp"
+#include "study/bounds/bounds_measure.hpp"
 #include "vectors/awkward_normals.hpp"
 #include "vectors/standard_set.hpp"
 
@@ -119,7 +119,8 @@ void measure_frames(const Configuration& configuration, std::uint64_t seed, Boun
     }
     std::vector<std::uint32_t> objects;
     const std::uint32_t bits = std::uint32_t(configuration.config().object_bits), most = (1u << bits) - 1;
-    for (std::uint32_t k = 0; bits != 0 && k < frame.scene.triangles.size(); ++k) objects.push_back(1 + (k * 7 + number) % most);
+    for (std::uint32_t k = 0; bits != 0 && k < frame.scene.triangles.size(); ++k)
+      objects.push_back(1 + (k * 7 + number) % most);
     if (bits != 0) engine->number(objects);
     replay(*engine, frame, objects, ++number, report);
   }

@@ -20,8 +20,8 @@ std::uint64_t register_at(const PlaneNumbers& n, const ProbedPlane& plane, int x
 
 }  // namespace
 
-double plane_error(const PlaneNumbers& n, const ExactTriangle& exact, const Values& values, const ProbedPlane& plane, int x,
-                   int y) {
+double plane_error(const PlaneNumbers& n, const ExactTriangle& exact, const Values& values, const ProbedPlane& plane,
+                   int x, int y) {
   const std::uint64_t half = std::uint64_t(1) << (n.fraction - 1);
   const std::uint64_t bits = low_bits(register_at(n, plane, x, y) - half, n.value_bits + n.fraction);
   return register_error(bits, n.value_bits, n.fraction, exact.value(values, x, y), exact.area());
@@ -32,9 +32,10 @@ TriangleMeter::TriangleMeter(const Config& config, BoundsReport& report)
       report_(report),
       probe_(make_kernel_probe(config)),
       depth_{depth_numbers(config), kDepthGradient, kDepthPlane, kDepthPlaneInFrame, kDepthSteps, kDepthRounded},
-      colour_(is_phong(config)
-                  ? Channel{normal_numbers(config), kNormalGradient, kNormalPlane, kNormalPlaneInFrame, kNormalSteps, kNormalRounded}
-                  : Channel{colour_numbers(config), kColourGradient, kColourPlane, kColourPlaneInFrame, kColourSteps, kColourRounded}) {}
+      colour_(is_phong(config) ? Channel{normal_numbers(config), kNormalGradient, kNormalPlane, kNormalPlaneInFrame,
+                                         kNormalSteps, kNormalRounded}
+                               : Channel{colour_numbers(config), kColourGradient, kColourPlane, kColourPlaneInFrame,
+                                         kColourSteps, kColourRounded}) {}
 
 void TriangleMeter::begin(const std::string& class_name, int width, int height) {
   report_.classes.push_back({class_name});
@@ -79,7 +80,8 @@ void TriangleMeter::measure(const ref::SnappedTriangle& triangle) {
   }
   for (const ProbedPixel& p : pixels) {
     if (shades_planes(config_)) break;
-    if (report_.rows[kColourSteps].count(1, !std::equal(p.colour.begin(), p.colour.end(), triangle.rgb[0].begin()))) report_.rows[kColourSteps].where = place(p.x, p.y);
+    if (report_.rows[kColourSteps].count(1, !std::equal(p.colour.begin(), p.colour.end(), triangle.rgb[0].begin())))
+      report_.rows[kColourSteps].where = place(p.x, p.y);
   }
   report_.classes.back().pixels += pixels.size();
 }

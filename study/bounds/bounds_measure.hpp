@@ -18,8 +18,8 @@ void measure_frames(const Configuration& configuration, std::uint64_t seed, Boun
 void measure_merges(const Configuration& configuration, std::uint64_t seed, BoundsReport& report);
 
 // Of what a plane's register holds at a pixel without its ½, in LSB.
-double plane_error(const PlaneNumbers& numbers, const ExactTriangle& exact, const Values& values, const ProbedPlane& plane, int x,
-                   int y);
+double plane_error(const PlaneNumbers& numbers, const ExactTriangle& exact, const Values& values,
+                   const ProbedPlane& plane, int x, int y);
 
 // All other kernels, a triangle at a time.
 class TriangleMeter {

@@ -2,8 +2,8 @@
 // ztest_merge held to 64-bit keys.
 #include <random>
 
-#include "study/bounds/bounds_measure.hpp"
 #include "model/objects/merge.hpp"
+#include "study/bounds/bounds_measure.hpp"
 
 namespace halfspace::model {
 namespace {
@@ -35,7 +35,8 @@ void measure_merges(const Configuration& configuration, std::uint64_t seed, Boun
   for (std::uint64_t number = 1; number <= 20; ++number) {
     const std::vector<RawEntry> stored = random_entries(random, pixels, c), drawn = random_entries(random, pixels, c);
     MergeInput input{width, height, {0, 0, width, height}, &stored, &drawn};
-    input.first = 1 + std::uint32_t(random() % most), input.last = std::min<std::uint32_t>(most, input.first + number % 3);
+    input.first = 1 + std::uint32_t(random() % most),
+    input.last = std::min<std::uint32_t>(most, input.first + number % 3);
     input.background = {std::uint8_t((1 << c.colour_bits) - 1), 0, 1};
     const RawEntry background{ref::full_depth(c.depth_bits), 0, input.background};
     const MergeResult result = merger.run(input);
@@ -46,7 +47,8 @@ void measure_merges(const Configuration& configuration, std::uint64_t seed, Boun
       const RawEntry& kept = hit ? background : stored[n];
       const RawEntry& nearer = kept.object == 0 || key_of(drawn[n]) < key_of(kept) ? drawn[n] : kept;
       BoundRow& row = report.rows[kMerge];
-      if (row.count(1, !(result.merged[n] == nearer))) row.where = {"random entries", number, false, {}, int(n) % width, int(n) / width};
+      if (row.count(1, !(result.merged[n] == nearer)))
+        row.where = {"random entries", number, false, {}, int(n) % width, int(n) / width};
     }
     BoundRow& row = report.rows[kMergeFound];
     if (row.count(1, result.count != found)) row.where = {"random entries", number};

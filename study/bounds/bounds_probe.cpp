@@ -72,7 +72,8 @@ class RuntimeProbe : public KernelProbe {
       const Pixel<F> p = pixel_.read();
       for (int l = 0; l < F::kLanes; ++l) {
         if (!raw(s.mask[l])) continue;
-        out.push_back({int(raw(s.x)) * F::kLanesX + l % F::kLanesX, int(raw(s.y)) * F::kLanesY + l / F::kLanesX,
+        out.push_back({int(raw(s.x)) * F::kLanesX + l % F::kLanesX,
+                       int(raw(s.y)) * F::kLanesY + l / F::kLanesX,
                        std::uint32_t(raw(s.depth[l])),
                        {std::uint32_t(raw(p.r[l])), std::uint32_t(raw(p.g[l])), std::uint32_t(raw(p.b[l]))}});
       }

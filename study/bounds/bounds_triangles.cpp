@@ -93,7 +93,8 @@ SnappedTriangle TriangleSource::changed(const SnappedTriangle& in_t, Vertices ve
     case 1: t.y[v] = std::int32_t(std::clamp(t.y[v] + by, first, last_y)); break;
     case 2: {
       const std::int64_t full = has_depth(config_) ? ref::full_depth(config_.depth_bits) : 0;
-      t.depth[v] = std::uint32_t(std::clamp<std::int64_t>(t.depth[v] + by * std::max<std::int64_t>(1, full >> 16), 0, full));
+      t.depth[v] =
+          std::uint32_t(std::clamp<std::int64_t>(t.depth[v] + by * std::max<std::int64_t>(1, full >> 16), 0, full));
       break;
     }
     default: {

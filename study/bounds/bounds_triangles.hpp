@@ -14,9 +14,9 @@
 namespace halfspace::model {
 
 enum class TriangleClass { kSmall, kAny, kHuge, kFrameSliver, kGuardBandSliver, kCorner };
-constexpr TriangleClass kTriangleClasses[] = {TriangleClass::kSmall, TriangleClass::kAny, TriangleClass::kHuge,
-                                              TriangleClass::kFrameSliver, TriangleClass::kGuardBandSliver,
-                                              TriangleClass::kCorner};
+constexpr TriangleClass kTriangleClasses[] = {
+    TriangleClass::kSmall,           TriangleClass::kAny,   TriangleClass::kHuge, TriangleClass::kFrameSliver,
+    TriangleClass::kGuardBandSliver, TriangleClass::kCorner};
 const char* class_name(TriangleClass kind);
 
 class TriangleSource {

@@ -7,9 +7,9 @@
 #include <map>
 #include <tuple>
 
-#include "ref/error.hpp"
 #include "model/pipeline/engine.hpp"
 #include "model/pipeline/memories.hpp"
+#include "ref/error.hpp"
 
 namespace halfspace::model {
 namespace {
@@ -34,7 +34,7 @@ void give_generous_planes(Config& c) {
 
 using Key = std::tuple<int, int, int, int, int, int, int, int, int>;
 Key key_of(const Config& c) {
-  return {c.range_bits,     c.subpixel_bits,   c.depth_bits, c.colour_bits,      c.reciprocal_bits,
+  return {c.range_bits,     c.subpixel_bits,   c.depth_bits, c.colour_bits, c.reciprocal_bits,
           c.depth_fraction, c.colour_fraction, c.lanes,      int(c.shading)};
 }
 
@@ -98,9 +98,12 @@ class Search {
     c.triangles = int(most_triangles_);
     return c;
   }
-  bool is_too_many(const ref::TriangleList& list) const { return most_triangles_ && list.triangles.size() > most_triangles_; }
+  bool is_too_many(const ref::TriangleList& list) const {
+    return most_triangles_ && list.triangles.size() > most_triangles_;
+  }
 
-  void judge(const ref::Frame& frame, const ref::TriangleList& list, std::size_t k, int depth_bits, FitOutcome& outcome) const {
+  void judge(const ref::Frame& frame, const ref::TriangleList& list, std::size_t k, int depth_bits,
+             FitOutcome& outcome) const {
     const PictureError error = picture_error(ideals_[k], list, frame, std::max(depth_bits, 1));
     outcome.psnr = std::min(outcome.psnr, error.psnr);
     outcome.largest_lsb = std::max(outcome.largest_lsb, error.colour_largest);
@@ -124,9 +127,9 @@ class Search {
 
 // Numbers that the search lowers, those first that save most: memory before logic.
 const std::pair<const char*, int Config::*> kLowered[] = {
-    {"depth_bits", &Config::depth_bits},           {"colour_bits", &Config::colour_bits},
-    {"subpixel_bits", &Config::subpixel_bits},     {"colour_fraction", &Config::colour_fraction},
-    {"depth_fraction", &Config::depth_fraction},   {"reciprocal_bits", &Config::reciprocal_bits}};
+    {"depth_bits", &Config::depth_bits},         {"colour_bits", &Config::colour_bits},
+    {"subpixel_bits", &Config::subpixel_bits},   {"colour_fraction", &Config::colour_fraction},
+    {"depth_fraction", &Config::depth_fraction}, {"reciprocal_bits", &Config::reciprocal_bits}};
 
 Config lowered(Config c, int Config::*number) {
   --(c.*number);
@@ -144,8 +147,11 @@ Config generous_start(Search& search, const FitScene& scene, const FitGoal& goal
     best = outcome;
   }
   throw ref::Error(fmt::format(
-      "{}: no configuration reaches {}: with 12 sub-pixel bits, 24 of depth and 8 of colour, {}: ask for less", scene.name,
-      goal.max_lsb > 0 ? fmt::format("{:.1f} dB and {} LSB", goal.psnr, goal.max_lsb) : fmt::format("{:.1f} dB", goal.psnr), best.why));
+      "{}: no configuration reaches {}: with 12 sub-pixel bits, 24 of depth and 8 of colour, {}: ask for less",
+      scene.name,
+      goal.max_lsb > 0 ? fmt::format("{:.1f} dB and {} LSB", goal.psnr, goal.max_lsb)
+                       : fmt::format("{:.1f} dB", goal.psnr),
+      best.why));
 }
 
 // Cycles by the model.
@@ -153,7 +159,8 @@ std::uint64_t slowest_frame(const FitScene& scene, const Configuration& configur
   const Config c = configuration.config();
   std::uint64_t most = 0;
   for (const Projection& project : scene.frames) {
-    const auto list = ref::snap(project({scene.width, scene.height, c.range_bits, c.subpixel_bits}), raster_format(configuration));
+    const auto list =
+        ref::snap(project({scene.width, scene.height, c.range_bits, c.subpixel_bits}), raster_format(configuration));
     const auto engine = make_engine(configuration, c.lanes);
     most = std::max(most, model_cycles(c, *engine, list, engine->render(list)).frame);
   }
@@ -161,7 +168,8 @@ std::uint64_t slowest_frame(const FitScene& scene, const Configuration& configur
 }
 
 // Makes `c` the one of the two.
-FitArchitecture choose_architecture(Config& c, const FitGoal& goal, const std::function<std::uint64_t(const Config&)>& cycles_of) {
+FitArchitecture choose_architecture(Config& c, const FitGoal& goal,
+                                    const std::function<std::uint64_t(const Config&)>& cycles_of) {
   Config gamma = c;
   gamma.architecture = Architecture::kGamma;
   FitArchitecture found{memory_bits(c).depth, memory_bits(gamma).visibility, cycles_of(c), 0, ""};
@@ -176,8 +184,8 @@ FitArchitecture choose_architecture(Config& c, const FitGoal& goal, const std::f
   } else if (double(found.cycles_gamma) > most) {
     found.why = fmt::format("a frame of gamma takes {} cycles, more than {:.0f}", found.cycles_gamma, most);
   } else {
-    found.why = fmt::format("TdbV has {} bits instead of the Z-buffer's {}, and a frame takes {} cycles instead of {}", found.tdbv_bits,
-                            found.z_buffer_bits, found.cycles_gamma, found.cycles_delta);
+    found.why = fmt::format("TdbV has {} bits instead of the Z-buffer's {}, and a frame takes {} cycles instead of {}",
+                            found.tdbv_bits, found.z_buffer_bits, found.cycles_gamma, found.cycles_delta);
     c.architecture = Architecture::kGamma;
   }
   return found;
@@ -235,12 +243,13 @@ Fit fit_configuration(const FitScene& scene, const std::string& name, const FitG
       reached = cycles_of(c);
     }
     if (reached > goal.cycles) {
-      throw ref::Error(fmt::format("{}: a frame takes {} cycles with {} lanes, more than {}: allow more cycles", scene.name, reached,
-                                   c.lanes, goal.cycles));
+      throw ref::Error(fmt::format("{}: a frame takes {} cycles with {} lanes, more than {}: allow more cycles",
+                                   scene.name, reached, c.lanes, goal.cycles));
     }
   }
   if (goal.static_objects) {
-    fit.objects = choose_objects(c, scene, [&](const FitScene& of, const Config& with) { return slowest_frame(of, Configuration(name, with)); });
+    fit.objects = choose_objects(
+        c, scene, [&](const FitScene& of, const Config& with) { return slowest_frame(of, Configuration(name, with)); });
   }
   if (has_depth(c) && !has_objects(c)) fit.architecture = choose_architecture(c, goal, cycles_of);
   fit.configuration = Configuration(name, c);

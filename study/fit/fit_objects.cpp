@@ -10,7 +10,8 @@
 
 namespace halfspace::model {
 
-FitObjects choose_objects(Config& c, const FitScene& scene, const std::function<std::uint64_t(const FitScene&, const Config&)>& cycles_of) {
+FitObjects choose_objects(Config& c, const FitScene& scene,
+                          const std::function<std::uint64_t(const FitScene&, const Config&)>& cycles_of) {
   FitObjects found;
   const auto because = [&](std::string why) {
     found.why = std::move(why);
@@ -38,21 +39,23 @@ FitObjects choose_objects(Config& c, const FitScene& scene, const std::function<
     const std::size_t standing = std::size_t(std::count(stands.begin(), stands.end(), true));
     found.standing = k == 1 ? standing : std::min(found.standing, standing);
     found.moving = std::max(found.moving, stands.size() - standing);
-    moving.frames.push_back([part = ref::without(now, stands)](const ref::View& view) { return ref::project(part, view); });
+    moving.frames.push_back(
+        [part = ref::without(now, stands)](const ref::View& view) { return ref::project(part, view); });
     before = std::move(now);
   }
   if (found.moving == 0) return because("nothing moves");
   if (found.standing == 0) return because("in some frame nothing stands still, or the viewpoint or a light moves");
   Config numbered = c;
   numbered.object_bits = bits_for(int(found.objects));
-  if (const Refusal reason = refusal(numbered); reason != Refusal::kNone) return because("refused: " + refusal_text(reason));
+  if (const Refusal reason = refusal(numbered); reason != Refusal::kNone)
+    return because("refused: " + refusal_text(reason));
   found.cycles_all = cycles_of(scene, c), found.cycles_moving = cycles_of(moving, numbered);
   if (found.cycles_moving >= found.cycles_all) {
     return because(fmt::format("what moves takes {} cycles a frame, no fewer than all of it", found.cycles_moving));
   }
   c = numbered;
-  return because(fmt::format("what moves, {} of {} objects at most, takes {} cycles a frame, all of it {}", found.moving, found.objects,
-                             found.cycles_moving, found.cycles_all));
+  return because(fmt::format("what moves, {} of {} objects at most, takes {} cycles a frame, all of it {}",
+                             found.moving, found.objects, found.cycles_moving, found.cycles_all));
 }
 
 }  // namespace halfspace::model

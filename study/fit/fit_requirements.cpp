@@ -20,7 +20,8 @@ double gradient(const Triangle& t, Get value) {
   const double area = twice_area(t);
   if (std::fabs(area) < 1e-3) return 0;
   const double dv1 = value(t[1]) - value(t[0]), dv2 = value(t[2]) - value(t[0]);
-  const double dx = dv1 * (t[2].y - t[0].y) - dv2 * (t[1].y - t[0].y), dy = dv2 * (t[1].x - t[0].x) - dv1 * (t[2].x - t[0].x);
+  const double dx = dv1 * (t[2].y - t[0].y) - dv2 * (t[1].y - t[0].y),
+               dy = dv2 * (t[1].x - t[0].x) - dv1 * (t[2].x - t[0].x);
   return (std::fabs(dx) + std::fabs(dy)) / std::fabs(area);
 }
 
@@ -84,7 +85,8 @@ Requirements requirements(const FitScene& scene) {
       for (const ref::Vertex& v : t) {
         r.x_low = std::min(r.x_low, v.x), r.x_high = std::max(r.x_high, v.x);
         r.y_low = std::min(r.y_low, v.y), r.y_high = std::max(r.y_high, v.y);
-        r.one_colour_each = r.one_colour_each && std::fabs(v.r - t[0].r) + std::fabs(v.g - t[0].g) + std::fabs(v.b - t[0].b) < 1e-6;
+        r.one_colour_each =
+            r.one_colour_each && std::fabs(v.r - t[0].r) + std::fabs(v.g - t[0].g) + std::fabs(v.b - t[0].b) < 1e-6;
       }
       r.depth_gradient = std::max(r.depth_gradient, gradient(t, [](const ref::Vertex& v) { return v.z; }));
       for (const auto channel : {&ref::Vertex::r, &ref::Vertex::g, &ref::Vertex::b}) {

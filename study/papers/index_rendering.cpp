@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "hls/formats/formats.hpp"
-#include "ref/error.hpp"
 #include "model/formats/configuration.hpp"
+#include "ref/error.hpp"
 
 namespace halfspace::model {
 
@@ -29,20 +29,23 @@ BufferBits buffer_bits(const HardwareLevel& level, ShadingMode mode, WidePixel w
                       : mode == ShadingMode::kPhong ? 3 * 3 * (normal + gradient_fraction) + kMaterialBits
                                                     : 3 * 3 * t.colour_plane.width;
   const int interpolated = mode == ShadingMode::kPhong ? 3 * normal + kMaterialBits : colour;
-  return {t.depth.width, colour, wide == WidePixel::kPlanes ? shading : interpolated, bits_for(level.triangles), 3 * t.depth_plane.width,
-          shading};
+  return {
+      t.depth.width,           colour, wide == WidePixel::kPlanes ? shading : interpolated, bits_for(level.triangles),
+      3 * t.depth_plane.width, shading};
 }
 
 namespace {
 
-BufferBytes bytes_of(const BufferBits& bits, double depth, double frame, double pixel, double index, double visibility, double shading) {
-  return {depth * bits.depth / 8,           frame * bits.frame / 8,     pixel * bits.pixel / 8, index * bits.index / 8,
-          visibility * bits.visibility / 8, shading * bits.shading / 8};
+BufferBytes bytes_of(const BufferBits& bits, double depth, double frame, double pixel, double index, double visibility,
+                     double shading) {
+  return {depth * bits.depth / 8, frame * bits.frame / 8,           pixel * bits.pixel / 8,
+          index * bits.index / 8, visibility * bits.visibility / 8, shading * bits.shading / 8};
 }
 
 }  // namespace
 
-BufferBytes buffer_sizes(const HardwareLevel& level, int width, int height, Architecture architecture, ShadingMode mode, WidePixel wide) {
+BufferBytes buffer_sizes(const HardwareLevel& level, int width, int height, Architecture architecture, ShadingMode mode,
+                         WidePixel wide) {
   const double pixels = double(width) * height;
   const bool indexed = is_index_rendering(architecture), gamma = architecture == Architecture::kGamma;
   return bytes_of(buffer_bits(level, mode, wide), gamma ? 0 : pixels, architecture == Architecture::kAlpha ? pixels : 0,
@@ -73,7 +76,8 @@ ref::BufferUses largest_uses(const HardwareLevel& level, int width, int height, 
   return uses;
 }
 
-FourRates measure_architectures(const ref::Scene& scene, const std::string& config, int width, int height, ShadingMode mode) {
+FourRates measure_architectures(const ref::Scene& scene, const std::string& config, int width, int height,
+                                ShadingMode mode) {
   ref::RasterFormat format = raster_format(find_configuration(config));
   // The frame and the number of triangles are the paper's and not the configuration's.
   format.width = width;
@@ -91,8 +95,9 @@ FourRates measure_architectures(const ref::Scene& scene, const std::string& conf
     rates[n] = {drawing.rates, drawing.buffers};
     if (n == 0) first = std::move(drawing);
     else if (drawing.colour != first.colour || drawing.triangle != first.triangle) {
-      throw ref::Error(fmt::format("{} at {}x{}: {} and {} draw different pictures: this is a fault of the program", scene.name, width,
-                                   height, name_of(ref::kArchitectures[0]), name_of(ref::kArchitectures[n])));
+      throw ref::Error(fmt::format("{} at {}x{}: {} and {} draw different pictures: this is a fault of the program",
+                                   scene.name, width, height, name_of(ref::kArchitectures[0]),
+                                   name_of(ref::kArchitectures[n])));
     }
   }
   return rates;

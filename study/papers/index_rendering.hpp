@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the four architectures of index rendering take: lighting, buffers, bandwidth, by the hardware levels of the paper.
+// What the four architectures of index rendering take: lighting, buffers, bandwidth, by the hardware levels of the
+// paper.
 #ifndef HALFSPACE_STUDY_PAPERS_INDEX_RENDERING_HPP_
 #define HALFSPACE_STUDY_PAPERS_INDEX_RENDERING_HPP_
 
@@ -8,16 +9,16 @@
 #include <utility>
 #include <vector>
 
-#include "ref/raster/architecture.hpp"
 #include "model/pipeline/memories.hpp"
+#include "ref/raster/architecture.hpp"
 
 namespace halfspace::model {
 
 // A level of hardware as the paper has them; `config` names the configuration of which it takes the number formats.
 struct HardwareLevel {
   const char* config;
-  int triangles;  // a frame at most: 2 M, 480 k, 96 k a second, to the next power of two
-  int frames;     // a second
+  int triangles;    // a frame at most: 2 M, 480 k, 96 k a second, to the next power of two
+  int frames;       // a second
   int normal_bits;  // fraction bits of a component of a normal, for Phong shading
   std::vector<std::pair<int, int>> sizes;
 };
@@ -40,8 +41,8 @@ struct BufferBytes {
 BufferBytes buffer_sizes(const HardwareLevel&, int width, int height, ref::Architecture, ref::ShadingMode, WidePixel);
 // Read and written a frame.
 BufferBytes buffer_traffic(const ref::BufferUses&, const BufferBits&);
-// Accesses of the worst frame: all triangles that the level takes are visible, each with kTrianglePixels fragments, all of
-// which pass.
+// Accesses of the worst frame: all triangles that the level takes are visible, each with kTrianglePixels fragments, all
+// of which pass.
 constexpr int kTrianglePixels = 50;
 ref::BufferUses largest_uses(const HardwareLevel&, int width, int height, ref::Architecture);
 

@@ -5,8 +5,8 @@
 #include <chrono>
 #include <set>
 
-#include "ref/raster/raster.hpp"
 #include "model/formats/configuration.hpp"
+#include "ref/raster/raster.hpp"
 
 namespace halfspace::model {
 namespace {
@@ -20,7 +20,9 @@ double median(std::vector<double> values) {
 
 class Stopwatch {
  public:
-  double ms() const { return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count(); }
+  double ms() const {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
+  }
 
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
@@ -35,7 +37,8 @@ LightingCost measure_lighting(const ref::Scene& scene, const std::string& config
   format.triangles = 1 << 22;
   const ref::View view{width, height, format.range_bits, format.subpixel_bits};
   LightingCost cost;
-  for (const ref::Instance& instance : scene.instances) cost.triangles.a += scene.meshes[instance.mesh].triangles.size();
+  for (const ref::Instance& instance : scene.instances)
+    cost.triangles.a += scene.meshes[instance.mesh].triangles.size();
 
   std::vector<double> positions, facing, visible;
   for (int run = 0; run < kRuns; ++run) {

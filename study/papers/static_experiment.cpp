@@ -8,9 +8,9 @@
 #include <ctime>
 #include <optional>
 
-#include "ref/error.hpp"
 #include "model/formats/configuration.hpp"
 #include "model/pipeline/cycles.hpp"
+#include "ref/error.hpp"
 
 namespace halfspace::model {
 namespace {
@@ -118,8 +118,9 @@ class Experiment {
       const double begin = processor_ms();
       const ref::FrameWork work = run.objects.draw([&](std::uint32_t n) {
         run.drawn.push_back(n);
-        if (first) tell("first frame", run.drawn.size() + (std::size_t(run.method) - 1) * std::size_t(o_.crowd.objects),
-                        (kStaticMethods - 1) * std::size_t(o_.crowd.objects));
+        if (first)
+          tell("first frame", run.drawn.size() + (std::size_t(run.method) - 1) * std::size_t(o_.crowd.objects),
+               (kStaticMethods - 1) * std::size_t(o_.crowd.objects));
       });
       const double ms = processor_ms() - begin;
       if (first) {
@@ -152,7 +153,8 @@ class Experiment {
       sum.triangle_setup += cost.triangle_setup, sum.shade_setup += cost.shade_setup;
     }
     const std::uint64_t frame = stamps(std::uint64_t(o_.width) * std::uint64_t(o_.height));
-    const std::uint64_t merge = (1 + work.drawn_into) * frame + std::uint64_t(run.objects.buffers()) * stamps(work.composed) + stamps(work.searched);
+    const std::uint64_t merge = (1 + work.drawn_into) * frame +
+                                std::uint64_t(run.objects.buffers()) * stamps(work.composed) + stamps(work.searched);
     return std::max({sum.triangle_setup, sum.shade_setup, merge});
   }
 

@@ -32,9 +32,9 @@ struct StaticExperimentOptions {
   ref::CrowdOptions crowd;
   std::string config = "middle";
   int lanes = 4, width = 640, height = 480;
-  int buffers = 7;                          // of the last method
-  int frames = 150;                         // of each number of moving objects, after one that is not counted
-  int full_frames = 2;                      // of those, at the end, that are drawn as a whole as well, and compared
+  int buffers = 7;      // of the last method
+  int frames = 150;     // of each number of moving objects, after one that is not counted
+  int full_frames = 2;  // of those, at the end, that are drawn as a whole as well, and compared
   std::vector<int> moving{10, 40, 80, 120};
 };
 
@@ -43,10 +43,10 @@ constexpr std::size_t kStaticMethods = 4;
 
 // The frames of one method with one number of moving objects.
 struct MethodFrames {
-  Spread drawn, redrawn;       // objects
-  Spread triangles;            // of them, handed to the rasterizer
-  Spread cycles;               // by the model of the RTL
-  Spread milliseconds;         // of one thread, as the processor counts them, in the reference
+  Spread drawn, redrawn;                  // objects
+  Spread triangles;                       // of them, handed to the rasterizer
+  Spread cycles;                          // by the model of the RTL
+  Spread milliseconds;                    // of one thread, as the processor counts them, in the reference
   std::uint64_t starts = 0, updates = 0;  // objects that began to move, and for which an S-buffer was drawn again
 };
 
@@ -56,10 +56,10 @@ struct StaticStep {
 };
 
 struct StaticExperiment {
-  std::uint64_t triangles = 0;         // of all objects
-  std::uint64_t handed = 0;            // of them, that face the viewer, in the first frame
+  std::uint64_t triangles = 0;                         // of all objects
+  std::uint64_t handed = 0;                            // of them, that face the viewer, in the first frame
   std::array<double, kStaticMethods> first_seconds{};  // of the first frame, which draws all objects
-  std::uint64_t compared = 0;          // pixels of the methods, found equal to those of drawing everything
+  std::uint64_t compared = 0;  // pixels of the methods, found equal to those of drawing everything
   std::vector<StaticStep> steps;
   ref::ObjectBuffer picture{1, 1, 1};  // the last
 };
@@ -69,10 +69,10 @@ using ExperimentProgress = std::function<void(const char* phase, std::size_t don
 
 // Throws ref::Error when a picture differs from that of drawing everything.
 //
-// Cycles of a frame: the slowest of triangle setup and shade setup, over the objects drawn, and ztest_merge, without waits. The
-// last takes a stamp a cycle: the frame; a frame more for each S-buffer that objects are drawn into, as a pass ends with a scan of
-// it; the box of each object that is asked for or erased; and what is merged anew of all S-buffers. The rasterizer takes fewer
-// than the setup: of triangles of a pixel about one stamp each.
+// Cycles of a frame: the slowest of triangle setup and shade setup, over the objects drawn, and ztest_merge, without
+// waits. The last takes a stamp a cycle: the frame; a frame more for each S-buffer that objects are drawn into, as a
+// pass ends with a scan of it; the box of each object that is asked for or erased; and what is merged anew of all
+// S-buffers. The rasterizer takes fewer than the setup: of triangles of a pixel about one stamp each.
 StaticExperiment run_static_experiment(const StaticExperimentOptions&, const ExperimentProgress&);
 
 }  // namespace halfspace::model

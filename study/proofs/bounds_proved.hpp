@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The proved bounds of a configuration, from its numbers alone. docs/bounds.md has the derivations; study/proofs/gappa.hpp prints
-// the proofs.
+// The proved bounds of a configuration, from its numbers alone. docs/bounds.md has the derivations;
+// study/proofs/gappa.hpp prints the proofs.
 #ifndef HALFSPACE_STUDY_PROOFS_BOUNDS_PROVED_HPP_
 #define HALFSPACE_STUDY_PROOFS_BOUNDS_PROVED_HPP_
 

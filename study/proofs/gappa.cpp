@@ -18,44 +18,48 @@ std::string symmetric(const Dyadic& n) { return fmt::format("in [-{0}, {0}]", nu
 constexpr const char* kWord = "9223372036854775807";
 
 std::string header(const Config& config, const std::string& what) {
-  return fmt::format("# {}\n# Printed by `halfspace bounds` from the numbers of configuration `{}`.\n\n", what, config.name);
+  return fmt::format("# {}\n# Printed by `halfspace bounds` from the numbers of configuration `{}`.\n\n", what,
+                     config.name);
 }
 
 std::string snap(const Config& config) {
   const int range = config.range_bits - 1, f = config.subpixel_bits;
   return header(config, "Snapping: a position in pixels is rounded to f fraction bits, half to even.") +
-         fmt::format("x = fixed<-{},ne>(pixels);\n\n{{ pixels in [-1b{}, 1b{}]\n  -> x - pixels {} }}\n", f, range, range,
-                     symmetric({1, -f - 1}));
+         fmt::format("x = fixed<-{},ne>(pixels);\n\n{{ pixels in [-1b{}, 1b{}]\n  -> x - pixels {} }}\n", f, range,
+                     range, symmetric({1, -f - 1}));
 }
 
 // D = m·2^s, R = floor(2^(r+s)/D + ½) in units of 2^−r.
 std::string reciprocal(const Config& config) {
   const int r = config.reciprocal_bits;
   return header(config, "The reciprocal of the area D = m*2^s: R has r fraction bits, half up.") +
-         fmt::format("R = fixed<-{},nu>(1 / m);\n\n{{ m in [1, 2]\n  -> m*R - 1 {} /\\ R in [1b-1, 1b0] }}\n\n"
-                     "m*R - 1 -> m*(R - 1/m) {{m <> 0}};\n",
-                     r, symmetric(reciprocal_bound(config)));
+         fmt::format(
+             "R = fixed<-{},nu>(1 / m);\n\n{{ m in [1, 2]\n  -> m*R - 1 {} /\\ R in [1b-1, 1b0] }}\n\n"
+             "m*R - 1 -> m*(R - 1/m) {{m <> 0}};\n",
+             r, symmetric(reciprocal_bound(config)));
 }
 
-// N = H·2^24 + L, |N| < 2^(b+c). What gradient_product keeps in words of 64 bits, and that its sum is N·R + half, nothing
-// rounded. half is at most 2^(n−1), n = r + s − f − g, s <= 2c − 1.
+// N = H·2^24 + L, |N| < 2^(b+c). What gradient_product keeps in words of 64 bits, and that its sum is N·R + half,
+// nothing rounded. half is at most 2^(n−1), n = r + s − f − g, s <= 2c − 1.
 std::string product(const Config& config, const char* kind, int value_bits, int fraction) {
   const int r = config.reciprocal_bits, c = config.range_bits + config.subpixel_bits;
   const int high_bits = std::max(0, value_bits + c - 24);
   const int largest_shift = 2 * c - 1 + r - config.subpixel_bits - fraction;
   return header(config, fmt::format("The product N*R of a {} gradient, by halves of N = H*2^24 + L: exact.", kind)) +
-         fmt::format("half = fixed<0,dn>(half_);\nlow = L*R + half;\ncarry = fixed<24,dn>(low);\nrest = low - carry;\n"
-                     "high = H*R + carry*1b-24;\n\n"
-                     "{{ L in [0, 16777215] /\\ H in [-1b{0}, 1b{0}] /\\ R in [1b{1}, 1b{2}] /\\ half in [0, 1b{3}]\n"
-                     "  /\\ @FIX(L, 0) /\\ @FIX(R, 0)\n"
-                     "  -> low in [0, {4}] /\\ high in [-{4}, {4}] /\\ rest in [0, 1b24]\n"
-                     "  /\\ (high*1b24 + rest) - ((H*1b24 + L)*R + half) in [0, 0] }}\n\n"
-                     "(high*1b24 + rest) - ((H*1b24 + L)*R + half) -> 0;\n",
-                     high_bits, r - 1, r, std::max(0, largest_shift - 1), kWord);
+         fmt::format(
+             "half = fixed<0,dn>(half_);\nlow = L*R + half;\ncarry = fixed<24,dn>(low);\nrest = low - carry;\n"
+             "high = H*R + carry*1b-24;\n\n"
+             "{{ L in [0, 16777215] /\\ H in [-1b{0}, 1b{0}] /\\ R in [1b{1}, 1b{2}] /\\ half in [0, 1b{3}]\n"
+             "  /\\ @FIX(L, 0) /\\ @FIX(R, 0)\n"
+             "  -> low in [0, {4}] /\\ high in [-{4}, {4}] /\\ rest in [0, 1b24]\n"
+             "  /\\ (high*1b24 + rest) - ((H*1b24 + L)*R + half) in [0, 0] }}\n\n"
+             "(high*1b24 + rest) - ((H*1b24 + L)*R + half) -> 0;\n",
+             high_bits, r - 1, r, std::max(0, largest_shift - 1), kWord);
 }
 
-// p, q: N_A·2^f·2^−s and N_B·2^f·2^−s, so that the exact gradients are p/m and q/m LSB a pixel. t = v − v0, which at a covered
-// centre is a mean of differences from v0. The one R of both gradients makes its error a factor of t: the second hint.
+// p, q: N_A·2^f·2^−s and N_B·2^f·2^−s, so that the exact gradients are p/m and q/m LSB a pixel. t = v − v0, which at a
+// covered centre is a mean of differences from v0. The one R of both gradients makes its error a factor of t: the
+// second hint.
 std::string plane(const Config& config, const char* kind, const PlaneNumbers& n, Vertices vertices) {
   const bool guard_band = vertices == Vertices::kGuardBand;
   const PlaneBound bound = plane_bound(n, largest_reach(config, vertices));
@@ -66,24 +70,26 @@ std::string plane(const Config& config, const char* kind, const PlaneNumbers& n,
   };
   return header(config, fmt::format("The {} plane at a covered pixel centre (x, y), vertex 0 in the {}.", kind,
                                     guard_band ? "guard band" : "frame")) +
-         fmt::format("R = fixed<-{r},nu>(1 / m);\nA = fixed<-{g},nu>(p*R);\nB = fixed<-{g},nu>(q*R);\n"
-                     "dx = x - x0;\ndy = y - y0;\nt = (p*dx + q*dy) / m;\n"
-                     "register = fixed<-{g},dn>(v0 + A*dx + B*dy + 1b-1);\n\n"
-                     "{{ m in [1, 2] /\\ t in [-{full}, {full}] /\\ x in [1b-1, {x}b-1] /\\ y in [1b-1, {y}b-1]\n"
-                     "  /\\ {x0} /\\ {y0}\n"
-                     "  -> A*dx + B*dy - t {sum} /\\ (v0 + t) - (register - 1b-1) in [-{low}, {high}] }}\n\n"
-                     "m*R - 1 -> m*(R - 1/m) {{m <> 0}};\n"
-                     "A*dx + B*dy - t -> dx*(A - p*R) + dy*(B - q*R) + t*(m*R - 1) {{m <> 0}};\n"
-                     "(v0 + t) - (register - 1b-1)\n"
-                     "  -> -((A*dx + B*dy - t) + (register - (v0 + A*dx + B*dy + 1b-1))) {{m <> 0}};\n",
-                     fmt::arg("r", n.reciprocal_bits), fmt::arg("g", n.fraction),
-                     fmt::arg("full", (std::int64_t(1) << n.value_bits) - 1), fmt::arg("x", 2 * config.width - 1),
-                     fmt::arg("y", 2 * config.height - 1), fmt::arg("x0", vertex("x", config.width)),
-                     fmt::arg("y0", vertex("y", config.height)), fmt::arg("sum", symmetric(bound.sum)),
-                     fmt::arg("low", number(bound.sum)), fmt::arg("high", number(bound.in_register)));
+         fmt::format(
+             "R = fixed<-{r},nu>(1 / m);\nA = fixed<-{g},nu>(p*R);\nB = fixed<-{g},nu>(q*R);\n"
+             "dx = x - x0;\ndy = y - y0;\nt = (p*dx + q*dy) / m;\n"
+             "register = fixed<-{g},dn>(v0 + A*dx + B*dy + 1b-1);\n\n"
+             "{{ m in [1, 2] /\\ t in [-{full}, {full}] /\\ x in [1b-1, {x}b-1] /\\ y in [1b-1, {y}b-1]\n"
+             "  /\\ {x0} /\\ {y0}\n"
+             "  -> A*dx + B*dy - t {sum} /\\ (v0 + t) - (register - 1b-1) in [-{low}, {high}] }}\n\n"
+             "m*R - 1 -> m*(R - 1/m) {{m <> 0}};\n"
+             "A*dx + B*dy - t -> dx*(A - p*R) + dy*(B - q*R) + t*(m*R - 1) {{m <> 0}};\n"
+             "(v0 + t) - (register - 1b-1)\n"
+             "  -> -((A*dx + B*dy - t) + (register - (v0 + A*dx + B*dy + 1b-1))) {{m <> 0}};\n",
+             fmt::arg("r", n.reciprocal_bits), fmt::arg("g", n.fraction),
+             fmt::arg("full", (std::int64_t(1) << n.value_bits) - 1), fmt::arg("x", 2 * config.width - 1),
+             fmt::arg("y", 2 * config.height - 1), fmt::arg("x0", vertex("x", config.width)),
+             fmt::arg("y0", vertex("y", config.height)), fmt::arg("sum", symmetric(bound.sum)),
+             fmt::arg("low", number(bound.sum)), fmt::arg("high", number(bound.in_register)));
 }
 
-// V: the sum of the plane, v: the exact value. The integer part of the register is that of V + ½: it was cut below 2^−g.
+// V: the sum of the plane, v: the exact value. The integer part of the register is that of V + ½: it was cut below
+// 2^−g.
 std::string rounded(const Config& config, const char* kind, const PlaneNumbers& n) {
   const PlaneBound bound = plane_bound(n, largest_reach(config, Vertices::kGuardBand));
   const std::int64_t full = (std::int64_t(1) << n.value_bits) - 1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bounds of study/proofs/bounds_proved.hpp as scripts for Gappa, which proves each or says that it cannot. They are printed from
-// the numbers of a configuration, so every configuration has its own.
+// The bounds of study/proofs/bounds_proved.hpp as scripts for Gappa, which proves each or says that it cannot. They are
+// printed from the numbers of a configuration, so every configuration has its own.
 #ifndef HALFSPACE_STUDY_PROOFS_GAPPA_HPP_
 #define HALFSPACE_STUDY_PROOFS_GAPPA_HPP_
 

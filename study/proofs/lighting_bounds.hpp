@@ -4,9 +4,9 @@
 #ifndef HALFSPACE_STUDY_PROOFS_LIGHTING_BOUNDS_HPP_
 #define HALFSPACE_STUDY_PROOFS_LIGHTING_BOUNDS_HPP_
 
+#include "model/shade/lighting.hpp"
 #include "study/bounds/bounds.hpp"
 #include "study/proofs/bounds_proved.hpp"
-#include "model/shade/lighting.hpp"
 
 namespace halfspace::model {
 

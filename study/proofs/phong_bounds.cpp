@@ -10,7 +10,8 @@ namespace halfspace::model {
 
 double normal_plane_bound(const Config& config, double distance) {
   // The start of a plane loses what lies below 2^−g.
-  return std::ldexp(1.0, normal_plane_bits(config) - config.reciprocal_bits) + std::ldexp(distance / 2 + 1, -config.normal_fraction);
+  return std::ldexp(1.0, normal_plane_bits(config) - config.reciprocal_bits) +
+         std::ldexp(distance / 2 + 1, -config.normal_fraction);
 }
 
 double normal_bound(const Config& config, double distance) {

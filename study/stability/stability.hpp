@@ -18,8 +18,8 @@ enum PlaneMethod { kKernelPlane, kFloatFromOrigin, kFloatFromVertex, kSaturatedG
 const char* plane_method_name(PlaneMethod method);
 
 struct PlaneErrors {
-  std::array<double, kPlaneMethods> largest{};         // LSB, at a covered pixel centre
-  std::array<std::uint64_t, kPlaneMethods> beyond{};   // pixels that are off by more than ½ LSB
+  std::array<double, kPlaneMethods> largest{};        // LSB, at a covered pixel centre
+  std::array<std::uint64_t, kPlaneMethods> beyond{};  // pixels that are off by more than ½ LSB
 };
 
 struct StabilityPoint {

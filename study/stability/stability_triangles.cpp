@@ -119,9 +119,7 @@ std::optional<ref::SnappedTriangle> ShapeSource::of_size(int log2) {
   for (int tries = 0; tries < 20000; ++tries) {
     ref::SnappedTriangle t{};
     const int px = int(in(0, config_.width - 1)), py = int(in(0, config_.height - 1));
-    auto corner = [&](std::int64_t centre) {
-      return std::clamp(centre - in(0, side), -limit, limit - 1 - side);
-    };
+    auto corner = [&](std::int64_t centre) { return std::clamp(centre - in(0, side), -limit, limit - 1 - side); };
     const std::int64_t left = corner(px * one + one / 2), top = corner(py * one + one / 2);
     // The box is filled: a vertex on each of its sides.
     const std::int64_t x[3] = {left, left + side, left + in(0, side)}, y[3] = {top + in(0, side), top, top + side};

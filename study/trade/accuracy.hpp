@@ -15,7 +15,7 @@ struct Accuracy {
   std::uint64_t index_differ = 0;
   // Where the indices agree and are not the background; without depth the depths are equal:
   std::uint64_t compared = 0;
-  std::int64_t depth_largest = 0;   // LSB of the stored depth
+  std::int64_t depth_largest = 0;  // LSB of the stored depth
   std::uint64_t depth_differ = 0;
   std::int64_t colour_largest = 0;  // LSB of 8 bits
   std::uint64_t colour_differ = 0;  // channels

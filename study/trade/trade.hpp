@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a configuration gives for what it takes: accuracy against the ideal picture (ref/raster/ideal.hpp) and the reference, cycles
-// and traffic of the RTL.
+// What a configuration gives for what it takes: accuracy against the ideal picture (ref/raster/ideal.hpp) and the
+// reference, cycles and traffic of the RTL.
 #ifndef HALFSPACE_STUDY_TRADE_TRADE_HPP_
 #define HALFSPACE_STUDY_TRADE_TRADE_HPP_
 
@@ -8,12 +8,12 @@
 #include <functional>
 #include <vector>
 
+#include "model/formats/configuration.hpp"
+#include "model/pipeline/accesses.hpp"
+#include "model/pipeline/cycles.hpp"
 #include "ref/raster/ideal.hpp"
 #include "ref/raster/raster.hpp"
-#include "model/pipeline/accesses.hpp"
 #include "study/trade/accuracy.hpp"
-#include "model/formats/configuration.hpp"
-#include "model/pipeline/cycles.hpp"
 
 namespace halfspace::model {
 
@@ -26,25 +26,25 @@ struct PictureError {
   std::uint64_t compared = 0;
   double colour_largest = 0, colour_rms = 0;  // of a channel, LSB of 8 bits
   double depth_largest = 0, depth_rms = 0;    // LSB of the stored depth; 0 without one
-  // Of all channels of the whole frame, dB against 255; infinite when equal. Rounding to 8 bits alone gives 58.9 dB, more
-  // where the background is seen.
+  // Of all channels of the whole frame, dB against 255; infinite when equal. Rounding to 8 bits alone gives 58.9 dB,
+  // more where the background is seen.
   double psnr = 0;
 };
 // `list` is what the frame was drawn from.
 PictureError picture_error(const ref::IdealFrame& ideal, const ref::TriangleList& list, const ref::Frame& frame,
                            int depth_bits);
 
-// Of stored values against those that the reference has before rounding, on the same snapped triangles, where both show the
-// same triangle: ½ where everything is rounded to the nearest.
+// Of stored values against those that the reference has before rounding, on the same snapped triangles, where both show
+// the same triangle: ½ where everything is rounded to the nearest.
 struct StoredError {
   double depth_largest = 0;   // LSB of the stored depth; 0 without one
   double colour_largest = 0;  // of a channel, LSB of 8 bits
 };
 StoredError stored_error(const ref::Frame& reference, const ref::Frame& kernels, int depth_bits);
 
-// Shimmer: what changes from frame to frame of a slow pan and does not in the ideal. The picture is moved by kPanX to the right
-// and kPanY down a frame, primes apart from every grid of sub-pixels, so that no vertex keeps its place on it: an edge whose
-// snapped ends creep and jump does so differently in every frame. With e_k the frame less its ideal,
+// Shimmer: what changes from frame to frame of a slow pan and does not in the ideal. The picture is moved by kPanX to
+// the right and kPanY down a frame, primes apart from every grid of sub-pixels, so that no vertex keeps its place on
+// it: an edge whose snapped ends creep and jump does so differently in every frame. With e_k the frame less its ideal,
 //   rms = RMS of e_k − e_(k−1) over k, pixels and channels, LSB of 8 bits.
 // An error that stands still in the picture does not count, a pixel that is wrong in one frame alone counts twice.
 struct Shimmer {

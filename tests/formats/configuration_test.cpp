@@ -6,9 +6,9 @@
 #include <random>
 #include <sstream>
 
-#include "ref/error.hpp"
-#include "model/pipeline/engine.hpp"
 #include "model/formats/format_fields.hpp"
+#include "model/pipeline/engine.hpp"
+#include "ref/error.hpp"
 #include "vectors/standard_set.hpp"
 
 namespace halfspace::tests {
@@ -84,7 +84,8 @@ TEST(Configuration, RefusesWithItsReason) {
       {middle_with("colour_fraction", "colour_fraction = 11"), "colour planes can be off by half an LSB"},
       {middle_with("colour_fraction", "colour_fraction = 19"), "reciprocal_bits is subpixel_bits +"},
   };
-  for (const auto& [toml, sentence] : cases) EXPECT_NE(refusal_of(toml).find(sentence), std::string::npos) << refusal_of(toml);
+  for (const auto& [toml, sentence] : cases)
+    EXPECT_NE(refusal_of(toml).find(sentence), std::string::npos) << refusal_of(toml);
   EXPECT_EQ(refusal_of(middle_with("lanes", "lanes = 16")), "accepted");
   // The half that rounds a gradient of the largest triangle would be 2^66.
   EXPECT_EQ(refusal(Config{"x", 100, 100, 100, 20, 10, 8, 8, 38, 21, 21, 1}), Refusal::kGradientWord);
@@ -111,7 +112,8 @@ TEST(Configuration, EnginesDoNotShareFormats) {
   const Config low = model::find_configuration("low").config(), high = model::find_configuration("high").config();
   const auto frames_low = model::random_frames(model::raster_format("low"), 3, 2, 20);
   const auto frames_high = model::random_frames(model::raster_format("high"), 3, 2, 20);
-  const auto a = model::make_runtime_engine(low, format_table(low), 4), b = model::make_runtime_engine(high, format_table(high), 4);
+  const auto a = model::make_runtime_engine(low, format_table(low), 4),
+             b = model::make_runtime_engine(high, format_table(high), 4);
   const std::string first = streams_of(*a, frames_low);
   streams_of(*b, frames_high);
   EXPECT_TRUE(first == streams_of(*a, frames_low));
@@ -123,8 +125,8 @@ TEST(Configuration, OfRandomNumbersIsAcceptedOrRefusedAndRight) {
   auto in = [&](int low, int high) { return low + int(random() % unsigned(high - low + 1)); };
   int accepted = 0;
   for (int n = 0; n < 4000 && accepted < 60; ++n) {
-    const Config numbers{"",         in(1, 300), in(1, 200), in(100, 5000), in(8, 14), in(1, 10),
-                         in(2, 30), in(1, 8),    in(8, 38),  in(6, 22),    in(6, 22),  1 << in(0, 4)};
+    const Config numbers{"",        in(1, 300), in(1, 200), in(100, 5000), in(8, 14), in(1, 10),
+                         in(2, 30), in(1, 8),   in(8, 38),  in(6, 22),     in(6, 22), 1 << in(0, 4)};
     if (refusal(numbers) != Refusal::kNone) continue;
     ++accepted;
     const Configuration configuration("random", numbers);
@@ -134,7 +136,8 @@ TEST(Configuration, OfRandomNumbersIsAcceptedOrRefusedAndRight) {
       const ref::Frame kernels = engine->render(frame.scene), reference = ref::render(frame.scene);
       for (std::size_t at = 0; at < reference.index.size(); ++at) {
         // A fragment that one of them rounds to full depth does not pass there.
-        const bool at_the_end = std::min(kernels.depth[at], reference.depth[at]) + 1 >= ref::full_depth(numbers.depth_bits);
+        const bool at_the_end =
+            std::min(kernels.depth[at], reference.depth[at]) + 1 >= ref::full_depth(numbers.depth_bits);
         ASSERT_TRUE(at_the_end || (kernels.index[at] != 0) == (reference.index[at] != 0)) << "pixel " << at;
         if (kernels.index[at] != reference.index[at]) continue;
         ASSERT_LE(std::abs(std::int64_t(kernels.depth[at]) - std::int64_t(reference.depth[at])), 1) << "pixel " << at;

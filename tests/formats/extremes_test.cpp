@@ -7,17 +7,17 @@
 #include <cmath>
 #include <map>
 
-#include "study/trade/accuracy.hpp"
-#include "model/pipeline/engine.hpp"
-#include "vectors/extremes.hpp"
 #include "model/formats/field_value.hpp"
+#include "model/pipeline/engine.hpp"
+#include "study/trade/accuracy.hpp"
+#include "vectors/extremes.hpp"
 
 namespace halfspace::tests {
 namespace {
 
+using model::NamedFrame;
 using ref::SnappedList;
 using ref::SnappedTriangle;
-using model::NamedFrame;
 
 // Triangles without area fill up the frame of the last index: nobody draws them one by one.
 constexpr std::size_t kMostAlone = 200;
@@ -68,14 +68,13 @@ TEST_P(Extremes, KernelsAgreeWithTheReference) {
       measured.depth = std::max(measured.depth, here.depth), measured.colour = std::max(measured.colour, here.colour);
     }
     EXPECT_GT(measured.pixels, 0u) << one.name;
-    std::printf("%-7s %-30s %3zu frames %7llu triangles %8llu pixels: index %llu, depth %lld LSB (%.2f %%), "
-                "colour %lld LSB (%.2f %%)\n",
-                GetParam(), one.name, frames.size(), static_cast<unsigned long long>(measured.triangles),
-                static_cast<unsigned long long>(measured.pixels),
-                static_cast<unsigned long long>(measured.index_differ), static_cast<long long>(measured.depth),
-                100 * double(measured.depth_differ) / double(measured.pixels),
-                static_cast<long long>(measured.colour),
-                100 * double(measured.colour_differ) / 3 / double(measured.pixels));
+    std::printf(
+        "%-7s %-30s %3zu frames %7llu triangles %8llu pixels: index %llu, depth %lld LSB (%.2f %%), "
+        "colour %lld LSB (%.2f %%)\n",
+        GetParam(), one.name, frames.size(), static_cast<unsigned long long>(measured.triangles),
+        static_cast<unsigned long long>(measured.pixels), static_cast<unsigned long long>(measured.index_differ),
+        static_cast<long long>(measured.depth), 100 * double(measured.depth_differ) / double(measured.pixels),
+        static_cast<long long>(measured.colour), 100 * double(measured.colour_differ) / 3 / double(measured.pixels));
   }
 }
 

@@ -8,10 +8,14 @@
 namespace halfspace {
 
 struct GouraudDepth {
-  static constexpr Config config() { return {"gouraud_depth", 160, 120, 500, 9, 6, 18, 8, 20, 12, 14, 4, Shading::kGouraud}; }
+  static constexpr Config config() {
+    return {"gouraud_depth", 160, 120, 500, 9, 6, 18, 8, 20, 12, 14, 4, Shading::kGouraud};
+  }
 };
 struct GouraudOnly {
-  static constexpr Config config() { return {"gouraud_only", 160, 120, 500, 9, 6, 0, 8, 20, 0, 14, 4, Shading::kGouraud}; }
+  static constexpr Config config() {
+    return {"gouraud_only", 160, 120, 500, 9, 6, 0, 8, 20, 0, 14, 4, Shading::kGouraud};
+  }
 };
 struct FlatDepth {
   static constexpr Config config() { return {"flat_depth", 160, 120, 500, 9, 6, 18, 8, 20, 12, 0, 4, Shading::kFlat}; }

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Gouraud or flat, with depth or without, with a Z-buffer or TdbV: the kernels against the reference, compiled against read
-// at run time, and what is not there is in no word, no package and no file.
+// Gouraud or flat, with depth or without, with a Z-buffer or TdbV: the kernels against the reference, compiled against
+// read at run time, and what is not there is in no word, no package and no file.
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <sstream>
 
-#include "ref/error.hpp"
-#include "tests/formats/feature_configs.hpp"
-#include "study/trade/accuracy.hpp"
 #include "model/pipeline/engine_impl.hpp"
 #include "model/pipeline/package.hpp"
-#include "vectors/standard_set.hpp"
+#include "ref/error.hpp"
+#include "study/trade/accuracy.hpp"
 #include "tests/config_path.hpp"
+#include "tests/formats/feature_configs.hpp"
+#include "vectors/standard_set.hpp"
 
 namespace halfspace::tests {
 namespace {
@@ -144,14 +144,17 @@ TYPED_TEST(Features, NoWordHasWhatIsNotThere) {
       }
     }
   }
-  const char* const of_setup = " triangle.depth0 triangle.depth1 triangle.depth2 setup.depth setup.depth_dx setup.depth_dy";
-  EXPECT_EQ(depths, stores_depth(this->config)   ? of_setup + std::string(" stamp.depth update.depth")
-                    : tests_planes(this->config) ? of_setup + std::string(" triangle_depth.depth triangle_depth.depth_dx "
-                                                                          "triangle_depth.depth_dy stamp.depth")
-                                                 : "");
-  EXPECT_EQ(colours, is_gouraud(this->config) ? " triangle.r0:8 triangle.r1:8 attributes.r0:8 attributes.r1:8 planes.r:22 "
-                                                "planes.r_dx:22 pixel.r:8"
-                                              : " triangle.r:8 attributes.r:8 planes.r:8 pixel.r:8");
+  const char* const of_setup =
+      " triangle.depth0 triangle.depth1 triangle.depth2 setup.depth setup.depth_dx setup.depth_dy";
+  EXPECT_EQ(depths, stores_depth(this->config) ? of_setup + std::string(" stamp.depth update.depth")
+                    : tests_planes(this->config)
+                        ? of_setup + std::string(" triangle_depth.depth triangle_depth.depth_dx "
+                                                 "triangle_depth.depth_dy stamp.depth")
+                        : "");
+  EXPECT_EQ(colours, is_gouraud(this->config)
+                         ? " triangle.r0:8 triangle.r1:8 attributes.r0:8 attributes.r1:8 planes.r:22 "
+                           "planes.r_dx:22 pixel.r:8"
+                         : " triangle.r:8 attributes.r:8 planes.r:8 pixel.r:8");
   EXPECT_EQ(reciprocals, is_gouraud(this->config) ? " attributes.shift attributes.reciprocal" : "");
 }
 
@@ -233,7 +236,9 @@ TEST(FeatureRefusals, AreOfWhatIsThere) {
       model::parse_configuration(text, "x.toml");
       ADD_FAILURE() << "accepted: " << line;
     } catch (const ref::Error& e) {
-      EXPECT_NE(std::string(e.what()).find("x.toml:13: shading is \"gouraud\", \"flat\", \"phong\" or \"motion\""), std::string::npos) << e.what();
+      EXPECT_NE(std::string(e.what()).find("x.toml:13: shading is \"gouraud\", \"flat\", \"phong\" or \"motion\""),
+                std::string::npos)
+          << e.what();
     }
   }
   c = FlatDepth::config();

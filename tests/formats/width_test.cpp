@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// No width is a bit too wide: the kernels with one derived width a bit narrower, its top bit taken away, go wrong on the
-// extremes. The kernels with formats read at run time stand for the compiled ones (configuration_test).
+// No width is a bit too wide: the kernels with one derived width a bit narrower, its top bit taken away, go wrong on
+// the extremes. The kernels with formats read at run time stand for the compiled ones (configuration_test).
 #include <gtest/gtest.h>
 
 #include <cstdio>
 
+#include "model/formats/format_fields.hpp"
 #include "model/pipeline/engine.hpp"
 #include "vectors/extremes.hpp"
-#include "model/formats/format_fields.hpp"
 
 namespace halfspace::tests {
 namespace {
@@ -23,14 +23,16 @@ std::vector<NamedFrame> frames_of(const Configuration& configuration) {
 }
 
 // The first frame whose picture is off by more than the bounds allow, and how; empty when all are right.
-std::string fault_of(model::Engine& engine, const std::vector<NamedFrame>& frames, const std::vector<ref::Frame>& references) {
+std::string fault_of(model::Engine& engine, const std::vector<NamedFrame>& frames,
+                     const std::vector<ref::Frame>& references) {
   for (std::size_t n = 0; n < frames.size(); ++n) {
     const ref::Frame kernels = engine.render(frames[n].scene);
     const ref::Frame& reference = references[n];
     for (std::size_t at = 0; at < reference.index.size(); ++at) {
       const char* what = nullptr;
       if ((kernels.index[at] != 0) != (reference.index[at] != 0)) what = "coverage";
-      else if (kernels.index[at] != reference.index[at]) what = kernels.depth[at] == reference.depth[at] ? nullptr : "index";
+      else if (kernels.index[at] != reference.index[at])
+        what = kernels.depth[at] == reference.depth[at] ? nullptr : "index";
       else if (std::abs(std::int64_t(kernels.depth[at]) - std::int64_t(reference.depth[at])) > 1) what = "depth";
       else {
         for (int c = 0; c < 3; ++c) {
@@ -64,7 +66,8 @@ TEST_P(Width, IsNotABitTooWide) {
     --format.integer;
     const auto narrower = model::make_runtime_engine(config, table, 4);
     const std::string fault = fault_of(*narrower, frames, references);
-    std::printf("%-7s %-22s %2d -> %2d bits: %s\n", GetParam(), field.name, format.width + 1, format.width, fault.c_str());
+    std::printf("%-7s %-22s %2d -> %2d bits: %s\n", GetParam(), field.name, format.width + 1, format.width,
+                fault.c_str());
     EXPECT_FALSE(fault.empty()) << field.name << " of " << GetParam() << " can do with " << format.width << " bits";
   }
 }

@@ -6,9 +6,9 @@
 #include <cstdio>
 
 #include "ref/error.hpp"
+#include "tests/config_path.hpp"
 #include "tests/motion/compensate_model.hpp"
 #include "vectors/compensation_frames.hpp"
-#include "tests/config_path.hpp"
 
 namespace halfspace::tests {
 namespace {
@@ -29,9 +29,7 @@ const char* name_of(KeyFilter filter) {
                                           : "bicubic";
 }
 
-Config base(const char* name) {
-  return model::find_configuration(config_path(std::string("motion_") + name)).config();
-}
+Config base(const char* name) { return model::find_configuration(config_path(std::string("motion_") + name)).config(); }
 Config with(KeyFilter filter, int fraction, int weight_bits, int samples, int relight) {
   Config c = base("middle");
   c.filter = filter;
@@ -72,8 +70,7 @@ TEST(Compensation, IsItsDefinition) {
       for (const int samples : {1, 2, 4}) {
         Config config = base(name);
         config.filter = filter, config.samples = samples;
-        for (const NamedCompensation& frame : model::compensation_frames(config, 7))
-          expect_model(config, frame, kinds);
+        for (const NamedCompensation& frame : model::compensation_frames(config, 7)) expect_model(config, frame, kinds);
       }
     }
     std::printf("%-8s holes %zu, of key 0 alone %zu, of key 1 alone %zu, of both %zu\n", name_of(filter), kinds[0],

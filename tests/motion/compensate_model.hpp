@@ -25,8 +25,7 @@ inline std::array<double, 4> exact_weights(KeyFilter filter, double t) {
       const double sum = (1 - t) * (1 - t) + t * t;
       return {0, (1 - t) * (1 - t) / sum, t * t / sum, 0};
     }
-    default:
-      return {0, 1 - t, t, 0};
+    default: return {0, 1 - t, t, 0};
   }
 }
 
@@ -154,10 +153,8 @@ class CompensationModel {
       const double weight = columns[std::size_t(1 + i)] * rows[std::size_t(1 + j)];
       const double exact = (i ? t : 1 - t) * (j ? u : 1 - u);
       if (tap.match && weight > 0 && exact > largest) standing = tap, largest = exact;
-      if (tap.match)
-        add(sum, weight, tap.colour);
-      else
-        lost += weight;
+      if (tap.match) add(sum, weight, tap.colour);
+      else lost += weight;
     }
     if (standing.match) add(sum, lost, standing.colour);
     return standing.match;

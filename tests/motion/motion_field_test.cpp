@@ -7,15 +7,15 @@
 #include <cmath>
 #include <cstdio>
 
+#include "model/formats/field_value.hpp"
+#include "model/pipeline/engine_impl.hpp"
 #include "ref/motion/motion_field.hpp"
 #include "ref/raster/plane.hpp"
-#include "tests/motion/motion_configs.hpp"
-#include "model/pipeline/engine_impl.hpp"
-#include "vectors/extremes.hpp"
-#include "model/formats/field_value.hpp"
 #include "study/proofs/motion_bounds.hpp"
-#include "vectors/standard_set.hpp"
 #include "tests/config_path.hpp"
+#include "tests/motion/motion_configs.hpp"
+#include "vectors/extremes.hpp"
+#include "vectors/standard_set.hpp"
 
 namespace halfspace::tests {
 namespace {
@@ -92,8 +92,7 @@ Exact exact_at(const ref::SnappedTriangle& triangle, const model::RawKeyPlaces& 
 
 class MotionFieldTest : public testing::TestWithParam<const char*> {
  protected:
-  const model::Configuration configuration_ =
-      model::find_configuration(config_path(GetParam()));
+  const model::Configuration configuration_ = model::find_configuration(config_path(GetParam()));
   const Config config_ = configuration_.config();
   const ref::RasterFormat format_ = model::raster_format(configuration_);
   const std::unique_ptr<model::Engine> engine_ = model::make_engine(configuration_, 4);
@@ -332,8 +331,8 @@ TEST_P(MotionFieldTest, AwkwardWordsAreWithinTheBound) {
           continue;
         }
         const Exact exact = exact_at(list.triangles[k - 1], words, word.x, word.y, config_);
-        const double bound = model::motion_bound(config_, words.extent, std::max(exact.place.x, exact.place.y),
-                                                   exact.q, exact.distance) +
+        const double bound = model::motion_bound(config_, words.extent, std::max(exact.place.x, exact.place.y), exact.q,
+                                                 exact.distance) +
                              kTiny;
         const glm::dvec2 vector = glm::dvec2(words.origin_x, words.origin_y) +
                                   exact.place * std::ldexp(1.0, words.extent) - glm::dvec2(word.x + 0.5, word.y + 0.5);

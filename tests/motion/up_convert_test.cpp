@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frames between key frames by the kernels, on the animations that stand for the paper's: how near they are to the rendered ones, and to what the
-// floating-point reference makes.
+// Frames between key frames by the kernels, on the animations that stand for the paper's: how near they are to the
+// rendered ones, and to what the floating-point reference makes.
 #include <gtest/gtest.h>
 
 #include <cstdio>
 
+#include "model/drivers/up_convert.hpp"
+#include "model/texture/texture.hpp"
 #include "ref/error.hpp"
 #include "ref/motion/quality.hpp"
-#include "model/texture/texture.hpp"
-#include "model/drivers/up_convert.hpp"
 #include "tests/config_path.hpp"
 
 namespace halfspace {
@@ -25,10 +25,10 @@ struct Animation {
   double printed;
   int first;
 };
-constexpr Animation kAnimations[] = {{"drone", 36.17, 25},        {"jet", 34.54, 25},          {"cube_zoom", 33.53, 5},
-                                     {"cube_fast", 29.97, 20},    {"cube_slow", 31.05, 20},    {"pyramid_fast", 33.56, 20},
-                                     {"pyramid_slow", 31.54, 20}, {"wheel_in_out", 39.91, 10}, {"wheel_turn", 34.05, 20},
-                                     {"ring_fall", 26.64, 20}};
+constexpr Animation kAnimations[] = {
+    {"drone", 36.17, 25},      {"jet", 34.54, 25},          {"cube_zoom", 33.53, 5},     {"cube_fast", 29.97, 20},
+    {"cube_slow", 31.05, 20},  {"pyramid_fast", 33.56, 20}, {"pyramid_slow", 31.54, 20}, {"wheel_in_out", 39.91, 10},
+    {"wheel_turn", 34.05, 20}, {"ring_fall", 26.64, 20}};
 
 struct Kind {
   const char* name;
@@ -79,7 +79,9 @@ TEST_P(UpConversion, IsNearToWhatIsRendered) {
     for (const int n : kind.between) {
       const ref::Scene between = scene_at(animation, n, colour.config());
       const model::KernelFrameBetween frame = kernels.at(between, n / 5.0);
-      const auto against = [&](const ref::Colours& picture) { return ref::quality(picture, frame.rendered, kind.width, kind.height); };
+      const auto against = [&](const ref::Colours& picture) {
+        return ref::quality(picture, frame.rendered, kind.width, kind.height);
+      };
       made.add(against(frame.colour));
       average.add(against(ref::temporal_average(kernels.key_colour(0), kernels.key_colour(1))));
       const ref::FrameBetween exact = interval.at(between, n / 5.0);
@@ -89,8 +91,9 @@ TEST_P(UpConversion, IsNearToWhatIsRendered) {
     }
     EXPECT_EQ(covered, words);
     const double psnr = made.mean().psnr_y;
-    std::printf("%-12s %-22s average %6.2f, reference %6.2f, kernels %6.2f dB, %.4f %% of blocks under 20 dB\n", animation.scene, kind.name,
-                average.mean().psnr_y, reference.mean().psnr_y, psnr, 100 * made.mean().blocks[0]);
+    std::printf("%-12s %-22s average %6.2f, reference %6.2f, kernels %6.2f dB, %.4f %% of blocks under 20 dB\n",
+                animation.scene, kind.name, average.mean().psnr_y, reference.mean().psnr_y, psnr,
+                100 * made.mean().blocks[0]);
     EXPECT_GE(psnr, animation.printed) << animation.scene;
     EXPECT_GT(psnr, average.mean().psnr_y + 8) << animation.scene;
     if (kind.samples == 1) {
@@ -100,7 +103,8 @@ TEST_P(UpConversion, IsNearToWhatIsRendered) {
     reference_mean += reference.mean().psnr_y / std::size(kAnimations);
     average_mean += average.mean().psnr_y / std::size(kAnimations);
   }
-  std::printf("%s: mean %.2f dB, reference %.2f, temporal average %.2f\n", kind.name, kernel_mean, reference_mean, average_mean);
+  std::printf("%s: mean %.2f dB, reference %.2f, temporal average %.2f\n", kind.name, kernel_mean, reference_mean,
+              average_mean);
   EXPECT_GE(kernel_mean, kind.least);
   EXPECT_LE(reference_mean - kernel_mean, 0.3);
 }
@@ -120,7 +124,8 @@ TEST(UpConversionFormats, FewBitsCostQuality) {
   const auto psnr = [&](void (*change)(Config&), bool half) {
     Config numbers = model::default_motion(colour.config());
     change(numbers);
-    KernelUpConverter kernels({320, 240, colour, model::motion_configuration(colour, numbers, 320, 240), ref::MotionMethod::kExact, half});
+    KernelUpConverter kernels(
+        {320, 240, colour, model::motion_configuration(colour, numbers, 320, 240), ref::MotionMethod::kExact, half});
     kernels.set_keys(scene_at(animation, 0, colour.config()), scene_at(animation, 5, colour.config()));
     const auto frame = kernels.at(scene_at(animation, 2, colour.config()), 0.4);
     return ref::quality(frame.colour, frame.rendered, 320, 240).psnr_y;
@@ -143,7 +148,8 @@ TEST(UpConversionFormats, RefusesWhatDoesNotFit) {
     EXPECT_NE(std::string(e.what()).find("range_bits differs"), std::string::npos) << e.what();
   }
   numbers.samples = 2;
-  EXPECT_THROW(KernelUpConverter({160, 100, low, model::motion_configuration(low, numbers, 320, 200), ref::MotionMethod::kExact, true}),
+  EXPECT_THROW(KernelUpConverter({160, 100, low, model::motion_configuration(low, numbers, 320, 200),
+                                  ref::MotionMethod::kExact, true}),
                ref::Error);
   EXPECT_THROW(KernelUpConverter({160, 100, model::find_configuration(config_path("lit_low")), motion}), ref::Error);
 }

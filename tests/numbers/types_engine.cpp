@@ -4,10 +4,10 @@
 #include "hls/formats/configs/high.hpp"
 #include "hls/formats/configs/low.hpp"
 #include "hls/formats/configs/middle.hpp"
+#include "model/objects/merge_impl.hpp"
+#include "model/pipeline/engine_impl.hpp"
 #include "tests/formats/feature_configs.hpp"
 #include "tests/objects/object_configs.hpp"
-#include "model/pipeline/engine_impl.hpp"
-#include "model/objects/merge_impl.hpp"
 
 #if defined(HALFSPACE_TYPES_SYSTEMC)
 #define HS_MAKE_ENGINE make_systemc_engine

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernels of the named configurations, of one without depth and gradients, of type γ, and of one with objects, with 4 lanes, on the
-// numbers that types_engine.cpp was compiled with. It is compiled once for each library, and the objects may stand in one program.
+// The kernels of the named configurations, of one without depth and gradients, of type γ, and of one with objects, with
+// 4 lanes, on the numbers that types_engine.cpp was compiled with. It is compiled once for each library, and the
+// objects may stand in one program.
 #ifndef HALFSPACE_TESTS_NUMBERS_TYPES_ENGINE_HPP_
 #define HALFSPACE_TESTS_NUMBERS_TYPES_ENGINE_HPP_
 
 #include <memory>
 #include <string>
 
-#include "model/pipeline/engine.hpp"
 #include "model/objects/merge.hpp"
+#include "model/pipeline/engine.hpp"
 
 namespace halfspace::tests {
 

@@ -13,8 +13,8 @@
 
 #include "ref/error.hpp"
 #include "tests/formats/feature_configs.hpp"
-#include "tests/objects/object_configs.hpp"
 #include "tests/numbers/types_engine.hpp"
+#include "tests/objects/object_configs.hpp"
 #include "vectors/merge_frames.hpp"
 #include "vectors/standard_set.hpp"
 
@@ -57,13 +57,13 @@ std::vector<model::NamedFrame> standard_frames(const model::Configuration& confi
 int expect_manifest(const model::Configuration& configuration, const std::filesystem::path& manifests,
                     const std::string& folder) {
   const json written = json::parse(model::write_vector_set(folder, {"standard", configuration, kTypesLanes, 1},
-                                                             standard_frames(configuration), nullptr));
+                                                           standard_frames(configuration), nullptr));
   const std::filesystem::path path = manifests / (configuration.name() + ".json");
   std::ifstream file(path);
   const json committed = json::parse(file);
   if (written["frames"] != committed["frames"] || written["streams"].size() != committed["streams"].size()) {
-    throw ref::Error(fmt::format("{}: it is not of these frames: vector_set_test tells how to write it again",
-                                 path.string()));
+    throw ref::Error(
+        fmt::format("{}: it is not of these frames: vector_set_test tells how to write it again", path.string()));
   }
   int equal = 0;
   for (std::size_t n = 0; n < written["streams"].size(); ++n) {
@@ -113,12 +113,14 @@ int expect_merge(const model::Configuration& configuration) {
     for (std::size_t n = 0; n < want.size(); ++n) {
       auto& [words, same] = equal.emplace(want[n].layout.stream, std::pair(std::size_t(0), true)).first->second;
       words += want[n].words.size();
-      same = same && got.size() == want.size() && got[n].layout.stream == want[n].layout.stream && got[n].words == want[n].words;
+      same = same && got.size() == want.size() && got[n].layout.stream == want[n].layout.stream &&
+             got[n].words == want[n].words;
     }
   }
   int count = 0;
   for (const auto& [stream, result] : equal) {
-    fmt::print("{:6} {:10} {:6} words {}\n", configuration.name(), stream, result.first, result.second ? "equal" : "DIFFERENT");
+    fmt::print("{:6} {:10} {:6} words {}\n", configuration.name(), stream, result.first,
+               result.second ? "equal" : "DIFFERENT");
     count += result.second && result.first != 0;
   }
   return count;

@@ -12,12 +12,12 @@
 namespace halfspace::tests {
 namespace {
 
-using ref::Box;
 using model::MergeInput;
 using model::Merger;
 using model::MergeResult;
 using model::NamedMerge;
 using model::RawEntry;
+using ref::Box;
 using Buffer = std::vector<RawEntry>;
 
 struct Numbers {

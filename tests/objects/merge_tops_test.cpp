@@ -7,8 +7,8 @@
 #include <memory>
 
 #include "hls/top/fields.hpp"
-#include "model/pipeline/engine.hpp"
 #include "model/formats/field_value.hpp"
+#include "model/pipeline/engine.hpp"
 #include "vectors/merge_frames.hpp"
 #include "vectors/standard_set.hpp"
 

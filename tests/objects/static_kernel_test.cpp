@@ -7,18 +7,18 @@
 #include <cstdio>
 #include <string>
 
+#include "model/drivers/static_frames.hpp"
 #include "ref/error.hpp"
 #include "ref/objects/object_raster.hpp"
-#include "vectors/moving_scene.hpp"
-#include "model/drivers/static_frames.hpp"
 #include "tests/config_path.hpp"
+#include "vectors/moving_scene.hpp"
 
 namespace halfspace::tests {
 namespace {
 
-using ref::ObjectState;
 using model::RawEntry;
 using model::StaticFrames;
+using ref::ObjectState;
 
 constexpr int kWidth = 40, kHeight = 30, kObjects = 16;
 
@@ -38,10 +38,7 @@ std::string name_of(const Case& c) {
 constexpr int kEnough = 4000;
 model::Configuration configuration(const Case& c, int triangles) {
   const std::string base = c.base;
-  Config config = model::find_configuration(base.find('_') == base.npos
-                                                  ? base
-                                                  : config_path(base))
-                      .config();
+  Config config = model::find_configuration(base.find('_') == base.npos ? base : config_path(base)).config();
   config.width = kWidth, config.height = kHeight;
   config.depth_bits = c.depth_bits;
   config.triangles = triangles;

@@ -6,12 +6,12 @@
 #include <cstdio>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "model/pipeline/cycles.hpp"
 #include "ref/builtin/crowd.hpp"
 #include "ref/error.hpp"
 #include "ref/geometry/geometry.hpp"
-#include "ref/raster/raster.hpp"
 #include "ref/objects/static_objects.hpp"
-#include "model/pipeline/cycles.hpp"
+#include "ref/raster/raster.hpp"
 #include "vectors/moving_scene.hpp"
 
 namespace halfspace::ref {
@@ -220,11 +220,13 @@ TEST(StaticObjects, BrokenQueriesLeaveGhosts) {
                          }),
             0);
   // Not the whole box.
-  EXPECT_GT(wrong_frames(1, [](auto&) {
-              return [](const ObjectBuffer& buffer, std::uint32_t object, const Box& box) {
-                return buffer.count(object, {box.x0, box.y0, box.x1, box.y1 - 1});
-              };
-            }), 0);
+  EXPECT_GT(wrong_frames(1,
+                         [](auto&) {
+                           return [](const ObjectBuffer& buffer, std::uint32_t object, const Box& box) {
+                             return buffer.count(object, {box.x0, box.y0, box.x1, box.y1 - 1});
+                           };
+                         }),
+            0);
 }
 
 // --- what a frame takes ---

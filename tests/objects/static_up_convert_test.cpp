@@ -7,20 +7,20 @@
 #include <functional>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "ref/error.hpp"
-#include "ref/builtin/mesh_builder.hpp"
-#include "ref/objects/static_instances.hpp"
-#include "ref/geometry/viewpoint.hpp"
-#include "model/texture/texture.hpp"
 #include "model/drivers/up_convert.hpp"
+#include "model/texture/texture.hpp"
+#include "ref/builtin/mesh_builder.hpp"
+#include "ref/error.hpp"
+#include "ref/geometry/viewpoint.hpp"
+#include "ref/objects/static_instances.hpp"
 
 namespace halfspace {
 namespace {
 
-using ref::Scene;
 using model::Configuration;
 using model::KernelFrameBetween;
 using model::KernelUpConverter;
+using ref::Scene;
 
 constexpr int kWidth = 64, kHeight = 48;
 constexpr double kAspect = double(kWidth) / kHeight;
@@ -38,9 +38,9 @@ void add_quad(Scene& scene, const char* name, double rx, double ry) {
 
 glm::dmat4 at(double x, double y, double z) { return glm::translate(glm::dmat4(1), glm::dvec3(x, y, z)); }
 
-// At fraction `a` of an interval. The wall, the ball and the sleeper stand. Two quads move in the plane of the wall, one
-// drawn before it and one after; one turns through it; one passes behind it; one is behind it at both keys and before it
-// in between.
+// At fraction `a` of an interval. The wall, the ball and the sleeper stand. Two quads move in the plane of the wall,
+// one drawn before it and one after; one turns through it; one passes behind it; one is behind it at both keys and
+// before it in between.
 Scene room(double a) {
   Scene scene;
   scene.name = "room";
@@ -76,8 +76,8 @@ model::KernelUpConversion mode_of(const char* config, bool static_buffer, int sa
   const Configuration colour = model::find_configuration(config);
   Config numbers = model::default_motion(colour.config());
   numbers.samples = samples;
-  model::KernelUpConversion mode{
-      kWidth, kHeight, colour, model::motion_configuration(colour, numbers, kWidth * samples, kHeight * samples)};
+  model::KernelUpConversion mode{kWidth, kHeight, colour,
+                                 model::motion_configuration(colour, numbers, kWidth * samples, kHeight * samples)};
   mode.static_buffer = static_buffer;
   return mode;
 }
@@ -263,12 +263,18 @@ TEST(StaticUpConversion, TheBufferIsKeptWhileNothingInItChanges) {
   const Change changes[] = {
       [](Scene& s) { s.instances[kSleeper].to_world = at(-1.2, 0.5, 0.1); },
       [](Scene& s) { s.ambient = glm::dvec3(0.1); },
-      [](Scene& s) { s.background = {200, 0, 0}; },
+      [](Scene& s) {
+        s.background = {200, 0, 0};
+      },
       [](Scene& s) { s.lights = {ref::Light()}; },
       [](Scene& s) { s.camera->position.x = 0.1; },
-      [](Scene& s) { s.depth_planes = ref::DepthPlanes{1, 6}; },
+      [](Scene& s) {
+        s.depth_planes = ref::DepthPlanes{1, 6};
+      },
       [](Scene& s) { s.materials[0].diffuse = glm::dvec3(0.2); },
-      [](Scene& s) { s.meshes[kWall].colours[2] = {0, 0, 1}; },
+      [](Scene& s) {
+        s.meshes[kWall].colours[2] = {0, 0, 1};
+      },
       [](Scene& s) { s.meshes[kWall].positions[2].x = 0.2; },
   };
   for (const Change& change : changes) {
@@ -399,8 +405,8 @@ TEST(StaticUpConversion, RefusesWhatHasNoDepthASample) {
   Config flat = model::find_configuration("low").config();
   flat.architecture = Architecture::kGamma;
   const Configuration gamma("gamma", flat);
-  model::KernelUpConversion planes{
-      kWidth, kHeight, gamma, model::motion_configuration(gamma, model::default_motion(flat), kWidth, kHeight)};
+  model::KernelUpConversion planes{kWidth, kHeight, gamma,
+                                   model::motion_configuration(gamma, model::default_motion(flat), kWidth, kHeight)};
   planes.static_buffer = true;
   EXPECT_THROW(KernelUpConverter{planes}, ref::Error);
   ref::UpConversion reference{kWidth, kHeight, model::raster_format("low")};

@@ -6,10 +6,10 @@
 //   index      where two depths are less than an LSB apart the nearer triangle may be the other one
 #include <gtest/gtest.h>
 
+#include "model/pipeline/engine.hpp"
 #include "ref/geometry/geometry.hpp"
 #include "ref/scene/scene.hpp"
 #include "study/trade/accuracy.hpp"
-#include "model/pipeline/engine.hpp"
 #include "vectors/standard_set.hpp"
 
 namespace halfspace::tests {
@@ -19,8 +19,8 @@ using model::Accuracy;
 
 ref::SnappedList frame_of(const std::string& scene, const std::string& config, int width, int height) {
   const ref::RasterFormat format = model::raster_format(config);
-  return ref::snap(
-      ref::project(ref::load_scene(scene), {width, height, format.range_bits, format.subpixel_bits}), format);
+  return ref::snap(ref::project(ref::load_scene(scene), {width, height, format.range_bits, format.subpixel_bits}),
+                   format);
 }
 
 // Renders with both and holds the bounds. Returns what was measured.
@@ -40,11 +40,12 @@ void expect_scene(const std::string& scene, const std::string& config, int width
   // 16 bits of depth decide otherwise now and then where surfaces touch; 24 do not.
   const Accuracy a = expect_agreement(frame_of(scene, config, width, height), 16, config == "low" ? 1e-3 : 1e-4);
   EXPECT_GT(a.compared, 0u);
-  std::printf("%-10s %-7s %8llu pixels shown, index differs in %llu, depth %lld LSB (in %llu), colour %lld LSB (in %llu)\n",
-              scene.c_str(), config.c_str(), static_cast<unsigned long long>(a.compared),
-              static_cast<unsigned long long>(a.index_differ), static_cast<long long>(a.depth_largest),
-              static_cast<unsigned long long>(a.depth_differ), static_cast<long long>(a.colour_largest),
-              static_cast<unsigned long long>(a.colour_differ));
+  std::printf(
+      "%-10s %-7s %8llu pixels shown, index differs in %llu, depth %lld LSB (in %llu), colour %lld LSB (in %llu)\n",
+      scene.c_str(), config.c_str(), static_cast<unsigned long long>(a.compared),
+      static_cast<unsigned long long>(a.index_differ), static_cast<long long>(a.depth_largest),
+      static_cast<unsigned long long>(a.depth_differ), static_cast<long long>(a.colour_largest),
+      static_cast<unsigned long long>(a.colour_differ));
 }
 
 TEST(Agreement, OfEveryBuiltInScene) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Native speed of the kernels beside Mesa's llvmpipe: the same snapped triangles, one thread, one run. Both clear, draw and
-// leave a finished picture.
+// Native speed of the kernels beside Mesa's llvmpipe: the same snapped triangles, one thread, one run. Both clear, draw
+// and leave a finished picture.
 #include <benchmark/benchmark.h>
 
+#include "model/pipeline/engine.hpp"
 #include "ref/geometry/geometry.hpp"
 #include "ref/scene/scene.hpp"
 #include "tests/raster/mesa.hpp"
-#include "model/pipeline/engine.hpp"
 
 namespace {
 
@@ -17,10 +17,12 @@ const ref::SnappedList& scene_of(const std::string& name) {
   auto found = scenes.find(name);
   if (found == scenes.end()) {
     const ref::RasterFormat format = model::raster_format("middle");
-    found = scenes
-                .emplace(name, ref::snap(ref::project(ref::load_scene(name), {640, 480, format.range_bits, format.subpixel_bits}),
-                                         format))
-                .first;
+    found =
+        scenes
+            .emplace(name,
+                     ref::snap(ref::project(ref::load_scene(name), {640, 480, format.range_bits, format.subpixel_bits}),
+                               format))
+            .first;
   }
   return found->second;
 }

@@ -17,7 +17,8 @@ void ztest_index_top(int, const std::int64_t*, halfspace::IndexBuffer<halfspace:
 void ztest_plane_top(int, const std::int64_t*, const std::int64_t*, halfspace::IndexBuffer<halfspace::TopFormats>*,
                      halfspace::VisibilityDatabase<halfspace::TopFormats>*, std::int64_t*);
 int scan_index_top(int, int, int, halfspace::IndexBuffer<halfspace::TopFormats>*, std::int64_t*);
-void shade_gouraud_top(int, const std::int64_t*, const halfspace::ShadingDatabase<halfspace::TopFormats>*, std::int64_t*);
+void shade_gouraud_top(int, const std::int64_t*, const halfspace::ShadingDatabase<halfspace::TopFormats>*,
+                       std::int64_t*);
 }
 
 namespace halfspace::tests {
@@ -52,7 +53,8 @@ TEST(Tops, RenderTheStandardFrames) {
   std::vector<model::NamedFrame> frames = model::corner_frames(format);
   for (auto& frame : model::random_frames(format, 3, 3, 30)) frames.push_back(std::move(frame));
   auto buffers = std::make_unique<Buffers<F>>();
-  std::vector<std::int64_t> stamps(std::size_t(F::kStamps) * kStampFields), scans(std::size_t(F::kStampsX) * kScanFields);
+  std::vector<std::int64_t> stamps(std::size_t(F::kStamps) * kStampFields),
+      scans(std::size_t(F::kStampsX) * kScanFields);
   std::size_t covered = 0;
   for (const model::NamedFrame& named : frames) {
     const ref::SnappedList& scene = named.scene;

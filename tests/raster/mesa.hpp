@@ -22,7 +22,8 @@ class Mesa {
   Mesa(int width, int height) : width_(width), height_(height), pixels_(std::size_t(width) * height) {
     setenv("GALLIUM_DRIVER", "llvmpipe", 1);
     setenv("LP_NUM_THREADS", "0", 1);
-    const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, OSMESA_PROFILE, OSMESA_COMPAT_PROFILE, 0};
+    const int attributes[] = {
+        OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, OSMESA_PROFILE, OSMESA_COMPAT_PROFILE, 0};
     context_ = OSMesaCreateContextAttribs(attributes, nullptr);
     if (!context_ || !OSMesaMakeCurrent(context_, pixels_.data(), GL_UNSIGNED_BYTE, width, height)) {
       throw std::runtime_error("OSMesa gives no context: is libosmesa6 installed?");
@@ -71,7 +72,8 @@ class Mesa {
     glEnable(GL_TEXTURE_2D);
     glEnableClientState(GL_TEXTURE_COORD_ARRAY);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, texture.width, texture.height, 0, GL_RGB, GL_UNSIGNED_BYTE, texture.texels.data());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, texture.width, texture.height, 0, GL_RGB, GL_UNSIGNED_BYTE,
+                 texture.texels.data());
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, by);
@@ -99,7 +101,8 @@ class Mesa {
   }
 
  private:
-  const std::vector<std::uint32_t>& draw(const std::vector<float>& positions, int components, const std::vector<std::uint8_t>& colours) {
+  const std::vector<std::uint32_t>& draw(const std::vector<float>& positions, int components,
+                                         const std::vector<std::uint8_t>& colours) {
     glVertexPointer(components, GL_FLOAT, 0, positions.data());
     glColorPointer(4, GL_UNSIGNED_BYTE, 0, colours.data());
     glDrawArrays(GL_TRIANGLES, 0, GLsizei(colours.size() / 4));

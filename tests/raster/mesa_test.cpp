@@ -33,8 +33,10 @@ TEST(Mesa, CoversTheSamePixels) {
       t.y[v] = in(0, kSize * kOne);
       t.rgb[v] = {255, 255, 255};
     }
-    if (kind == 1) for (int v = 0; v < 3; ++v) t.x[v] = in(40 * kOne, 48 * kOne), t.y[v] = in(60 * kOne, 66 * kOne);
-    if (kind == 2) for (int v = 0; v < 3; ++v) t.x[v] = in(0, kSize - 1) * kOne + 128, t.y[v] = in(0, kSize - 1) * kOne + 128;
+    if (kind == 1)
+      for (int v = 0; v < 3; ++v) t.x[v] = in(40 * kOne, 48 * kOne), t.y[v] = in(60 * kOne, 66 * kOne);
+    if (kind == 2)
+      for (int v = 0; v < 3; ++v) t.x[v] = in(0, kSize - 1) * kOne + 128, t.y[v] = in(0, kSize - 1) * kOne + 128;
     if (kind == 3) t.x[1] = std::abs(t.x[0] - in(0, 3)), t.y[1] = std::abs(t.y[0] - in(0, 3));
     if (kind == 4) t.y[1] = t.y[0] = in(0, kSize - 1) * kOne + 128;
     if (kind == 5) t.x[1] = t.x[0] = in(0, 2 * kSize) * 128;

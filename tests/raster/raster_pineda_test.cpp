@@ -63,17 +63,21 @@ SnappedTriangle adversarial(std::mt19937_64& random, int kind, int width, int he
   SnappedTriangle t{};
   for (int v = 0; v < 3; ++v) t.x[v] = in(-w / 4, w + w / 4), t.y[v] = in(-h / 4, h + h / 4);
   switch (kind) {
-    case 0: break;                                                                   // any
-    case 1: for (int v = 0; v < 3; ++v) t.x[v] = in(0, 4 * one), t.y[v] = in(0, 4 * one); break;  // small
-    case 2: for (int v = 0; v < 3; ++v) t.x[v] = centre(width), t.y[v] = centre(height); break;   // on centres
-    case 3: t.x[1] = t.x[0] + in(-3, 3), t.y[1] = t.y[0] + in(-3, 3); break;         // sliver across the frame
-    case 4: t.y[1] = t.y[0] = centre(height); break;                                 // horizontal edge through centres
-    case 5: t.x[1] = t.x[0] = centre(width); break;                                  // vertical edge through centres
-    case 6:                                                                          // diagonal through centres
+    case 0: break;  // any
+    case 1:
+      for (int v = 0; v < 3; ++v) t.x[v] = in(0, 4 * one), t.y[v] = in(0, 4 * one);
+      break;  // small
+    case 2:
+      for (int v = 0; v < 3; ++v) t.x[v] = centre(width), t.y[v] = centre(height);
+      break;                                                                  // on centres
+    case 3: t.x[1] = t.x[0] + in(-3, 3), t.y[1] = t.y[0] + in(-3, 3); break;  // sliver across the frame
+    case 4: t.y[1] = t.y[0] = centre(height); break;                          // horizontal edge through centres
+    case 5: t.x[1] = t.x[0] = centre(width); break;                           // vertical edge through centres
+    case 6:                                                                   // diagonal through centres
       t.x[0] = centre(width), t.y[0] = centre(height);
       t.x[1] = t.x[0] + in(-20, 20) * one, t.y[1] = t.y[0] + in(-20, 20) * one;
       break;
-    case 7:                                                                          // ends of the guard band
+    case 7:  // ends of the guard band
       for (int v = 0; v < 3; ++v) {
         t.x[v] = in(0, 1) ? in(-limit, -limit + 2) : in(limit - 3, limit - 1);
         t.y[v] = in(0, 2) ? in(-limit, limit - 1) : (in(0, 1) ? -limit : limit - 1);
@@ -99,9 +103,9 @@ void expect_adversarial(int each, int width, int height) {
     std::int64_t fragments = 0;
     for (int n = 0; n < each; ++n) {
       const SnappedTriangle t = adversarial<F>(random, kind, width, height);
-      ASSERT_EQ(kernel.mismatches(t), 0)
-          << "class " << kind << ": (" << t.x[0] << ", " << t.y[0] << ") (" << t.x[1] << ", " << t.y[1] << ") ("
-          << t.x[2] << ", " << t.y[2] << ") in sub-pixels of 1/" << (1 << F::kSubpixelBits);
+      ASSERT_EQ(kernel.mismatches(t), 0) << "class " << kind << ": (" << t.x[0] << ", " << t.y[0] << ") (" << t.x[1]
+                                         << ", " << t.y[1] << ") (" << t.x[2] << ", " << t.y[2]
+                                         << ") in sub-pixels of 1/" << (1 << F::kSubpixelBits);
       fragments += kernel.covered_stamps;
     }
     EXPECT_GT(fragments, 0) << "class " << kind << " covers nothing";

@@ -62,8 +62,7 @@ std::size_t covered(const Frame& frame) {
 }
 
 Frame render_file(const std::string& path, double time = 0) {
-  return render(
-      snap(project(load_scene(path, time), {640, 480, kHigh.range_bits, kHigh.subpixel_bits}), kHigh));
+  return render(snap(project(load_scene(path, time), {640, 480, kHigh.range_bits, kHigh.subpixel_bits}), kHigh));
 }
 
 // --- triangles at random, in sub-pixels ---
@@ -85,8 +84,7 @@ SnappedTriangle random_triangle(Random& random, int reach, int depth_bits) {
   return t;
 }
 
-SnappedList list_of(const RasterFormat& format, int width, int height,
-                    std::vector<SnappedTriangle> triangles) {
+SnappedList list_of(const RasterFormat& format, int width, int height, std::vector<SnappedTriangle> triangles) {
   return {format, width, height, {1, 2, 3}, std::move(triangles)};
 }
 
@@ -100,8 +98,7 @@ double area(const Mesh& mesh, const std::array<std::uint32_t, 3>& t) {
 TEST(Scenes, TeapotIsNewells) {
   const Mesh mesh = load_scene("teapot").meshes.at(0);
   EXPECT_EQ(mesh.triangles.size(), 3136u);
-  EXPECT_EQ(std::count_if(mesh.triangles.begin(), mesh.triangles.end(),
-                          [&](auto& t) { return area(mesh, t) < 1e-12; }),
+  EXPECT_EQ(std::count_if(mesh.triangles.begin(), mesh.triangles.end(), [&](auto& t) { return area(mesh, t) < 1e-12; }),
             56);
 }
 
@@ -198,14 +195,12 @@ TEST(Tri, RoundTripsToTheBit) {
 
 TEST(Tri, WritesWhatThePageSays) {
   std::ostringstream text;
-  write_tri(text,
-            {2, 1, {0, 0, 0}, {{{{0, 0.5, 1, 255, 0, 1}, {-8, 0, 0, 1, 2, 3}, {4, 4, 0.25, 4, 5, 6}}}}});
+  write_tri(text, {2, 1, {0, 0, 0}, {{{{0, 0.5, 1, 255, 0, 1}, {-8, 0, 0, 1, 2, 3}, {4, 4, 0.25, 4, 5, 6}}}}});
   EXPECT_EQ(text.str(), "size 2 1\nt 0 0.5 1 255 0 1  -8 0 0 1 2 3  4 4 0.25 4 5 6\n");
 }
 
 TEST(Tri, TakesCommentsAndBlankLines) {
-  const TemporaryFile file("comments.tri",
-                           "# a\r\n\n  size 4 3 # b\n\tt 0 0 0 1 2 3  1 0 0.5 1 2 3  0 1 1 1 2 3");
+  const TemporaryFile file("comments.tri", "# a\r\n\n  size 4 3 # b\n\tt 0 0 0 1 2 3  1 0 0.5 1 2 3  0 1 1 1 2 3");
   const TriangleList list = read_tri(file.path());
   EXPECT_EQ(list.width, 4);
   EXPECT_EQ(list.height, 3);
@@ -214,9 +209,7 @@ TEST(Tri, TakesCommentsAndBlankLines) {
 
 TEST(Tri, RefusesWithFileAndLine) {
   const std::string good = "t 0 0 0 1 2 3  1 0 0 1 2 3  0 1 0 1 2 3\n";
-  const auto vertex = [](const std::string& text) {
-    return "size 4 4\nt " + text + "  1 0 0 1 2 3  0 1 0 1 2 3\n";
-  };
+  const auto vertex = [](const std::string& text) { return "size 4 4\nt " + text + "  1 0 0 1 2 3  0 1 0 1 2 3\n"; };
   const std::vector<std::pair<std::string, std::string>> cases{
       {"", "empty"},
       {good, ":1: 't' comes before the line 'size W H'"},
@@ -296,8 +289,7 @@ TEST(Snap, RefusesAndNamesWhatFits) {
 
   snap(one_vertex(-512, 511.96), kLow);
   expect_in("triangle 1, vertex 0: y = 511.97", refusal([] { snap(one_vertex(0, 511.97), kLow, kAll); }));
-  expect_in("[-512, 512) pixels; configuration middle takes it",
-            refusal([] { snap(one_vertex(512, 0), kLow, kAll); }));
+  expect_in("[-512, 512) pixels; configuration middle takes it", refusal([] { snap(one_vertex(512, 0), kLow, kAll); }));
   expect_in("x = -512.1", refusal([] { snap(one_vertex(-512.1, 0), kLow); }));
   expect_in("x = 1e+300", refusal([] { snap(one_vertex(1e300, 0), kHigh, kAll); }));
 }
@@ -321,8 +313,8 @@ TEST(Snap, UnsnapIsItsInverse) {
 __extension__ typedef __int128 Wide;
 
 // The same plane as a mean of the vertices, weighted by the areas opposite of them: no gradients.
-Wide weighted(const SnappedTriangle& t, const std::array<std::int64_t, 3>& value, std::int64_t px,
-              std::int64_t py, std::int64_t* area) {
+Wide weighted(const SnappedTriangle& t, const std::array<std::int64_t, 3>& value, std::int64_t px, std::int64_t py,
+              std::int64_t* area) {
   Wide sum = 0;
   *area = 0;
   for (int i = 0; i < 3; ++i) {
@@ -381,8 +373,7 @@ TEST(Raster, AnyOrderOfTheVerticesIsTheSameTriangle) {
       SnappedTriangle turned;
       for (int v = 0; v < 3; ++v) {
         const int from = order[v];
-        turned.x[v] = t.x[from], turned.y[v] = t.y[from], turned.depth[v] = t.depth[from],
-        turned.rgb[v] = t.rgb[from];
+        turned.x[v] = t.x[from], turned.y[v] = t.y[from], turned.depth[v] = t.depth[from], turned.rgb[v] = t.rgb[from];
       }
       const Frame frame = render(list_of(kMiddle, 24, 24, {turned}));
       ASSERT_EQ(frame.index, first.index);
@@ -423,8 +414,7 @@ TEST(Raster, MeshHasNoHolesAndNoDoubles) {
 }
 
 SnappedTriangle whole_frame(std::uint32_t depth) {
-  return {
-      {-1000, 8000, -1000}, {-1000, -1000, 8000}, {depth, depth, depth}, {{{9, 9, 9}, {9, 9, 9}, {9, 9, 9}}}};
+  return {{-1000, 8000, -1000}, {-1000, -1000, 8000}, {depth, depth, depth}, {{{9, 9, 9}, {9, 9, 9}, {9, 9, 9}}}};
 }
 
 TEST(Raster, EqualDepthsComeBackAndTheFirstWins) {
@@ -501,8 +491,7 @@ TEST(Geometry, GuardBandDoesNotChangeTheFrame) {
   int clipped = 0;
   for (int k = 0; k < 100; ++k) {
     Mesh mesh;
-    for (int v = 0; v < 3; ++v)
-      mesh.positions.emplace_back(pick(random, -4000, 4000), pick(random, -4000, 4000), -2);
+    for (int v = 0; v < 3; ++v) mesh.positions.emplace_back(pick(random, -4000, 4000), pick(random, -4000, 4000), -2);
     mesh.triangles = {{0, 1, 2}};
     const Scene scene = scene_of(mesh, camera);
     TriangleList whole, parts;
@@ -625,7 +614,8 @@ TEST(Files, AnimationsMorphMeshes) {
 
 // A triangle, and a camera that goes from (0, 0, 5) to (0, 0, 10) in a second.
 TEST(Files, AnimationsMoveCameras) {
-  const TemporaryFile file("camera.gltf",
+  const TemporaryFile file(
+      "camera.gltf",
       R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,1]}],"nodes":[{"mesh":0,"name":"face"},{")"
       R"(camera":0,"name":"eye","translation":[0,0,5]}],"cameras":[{"type":"perspective","perspective":{"yfov)"
       R"(":0.8,"aspectRatio":1,"znear":0.1,"zfar":100}}],"meshes":[{"primitives":[{"attributes":{"POSITION":0)"

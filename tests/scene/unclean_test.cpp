@@ -10,11 +10,11 @@
 #include <fstream>
 #include <limits>
 
+#include "model/pipeline/engine.hpp"
 #include "ref/error.hpp"
 #include "ref/geometry/geometry.hpp"
 #include "ref/scene/scene.hpp"
 #include "study/trade/accuracy.hpp"
-#include "model/pipeline/engine.hpp"
 
 namespace halfspace::tests {
 namespace {
@@ -41,15 +41,19 @@ std::string bytes_of(const void* data, std::size_t size) { return std::string(st
 std::string gltf(const Positions& positions, const std::string& matrix = "1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1") {
   const std::string count = std::to_string(positions.size()), size = std::to_string(positions.size() * 12);
   return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,1]}],
-"nodes":[{"mesh":0,"matrix":[)" + matrix + R"(]},{"camera":0}],
-"cameras":[{"type":"perspective","perspective":{"yfov":)" + std::to_string(2 * std::atan(kHalfHeight)) +
-         R"(,"znear":)" + std::to_string(kNear) + R"(,"zfar":1e30}}],
+"nodes":[{"mesh":0,"matrix":[)" +
+         matrix + R"(]},{"camera":0}],
+"cameras":[{"type":"perspective","perspective":{"yfov":)" +
+         std::to_string(2 * std::atan(kHalfHeight)) + R"(,"znear":)" + std::to_string(kNear) + R"(,"zfar":1e30}}],
 "materials":[{"doubleSided":true}],
 "meshes":[{"primitives":[{"attributes":{"POSITION":0},"material":0}]}],
-"accessors":[{"bufferView":0,"componentType":5126,"count":)" + count +
+"accessors":[{"bufferView":0,"componentType":5126,"count":)" +
+         count +
          R"(,"type":"VEC3","min":[-1,-1,-1],"max":[1,1,1]}],
-"bufferViews":[{"buffer":0,"byteLength":)" + size + R"(}],
-"buffers":[{"byteLength":)" + size + R"(,"uri":"data:application/octet-stream;base64,)" +
+"bufferViews":[{"buffer":0,"byteLength":)" +
+         size + R"(}],
+"buffers":[{"byteLength":)" +
+         size + R"(,"uri":"data:application/octet-stream;base64,)" +
          base64(bytes_of(positions.data(), positions.size() * 12)) + R"("}]})";
 }
 
@@ -127,10 +131,10 @@ TEST_F(Unclean, NanAndInfinitiesAreRefusedByName) {
 // 1: the ray of a pixel centre hits the triangle well inside; −1: well outside; 0: too near an edge or the eye to say.
 int hit(const std::array<float, 3>* corner, double x, double y) {
   const double d[3] = {x, y, -1};
-  auto cross = [](const double (&a)[3], const double (&b)[3], double (&c)[3]) {
+  auto cross = [](const double(&a)[3], const double(&b)[3], double(&c)[3]) {
     for (int i = 0; i < 3; ++i) c[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
   };
-  auto dot = [](const double (&a)[3], const double (&b)[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
+  auto dot = [](const double(&a)[3], const double(&b)[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
   double from_a[3], ab[3], ac[3], normal[3], p[3], q[3];
   for (int i = 0; i < 3; ++i) {
     from_a[i] = -double(corner[0][i]);

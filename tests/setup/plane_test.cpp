@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The arithmetic of hls/setup/reciprocal.hpp and hls/setup/plane.hpp against 128-bit integers. What it comes to at pixels, for every kind
-// of triangle, is measured by bounds_test.
+// The arithmetic of hls/setup/reciprocal.hpp and hls/setup/plane.hpp against 128-bit integers. What it comes to at
+// pixels, for every kind of triangle, is measured by bounds_test.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -61,7 +61,8 @@ void expect_product() {
     const Wide half = n > 0 ? Wide(1) << (n - 1) : 0;
     const Wide exact = (Wide(numerator) * Wide(reciprocal) + half) >> n;
     const auto got = gradient_product<F, Gradient>(numerator, from_raw<typename F::Reciprocal>(reciprocal), n);
-    ASSERT_EQ(raw(got), raw(from_raw<Gradient>(std::uint64_t(exact)))) << numerator << " * " << reciprocal << " / 2^" << n;
+    ASSERT_EQ(raw(got), raw(from_raw<Gradient>(std::uint64_t(exact))))
+        << numerator << " * " << reciprocal << " / 2^" << n;
   }
 }
 TEST(GradientProduct, RoundsOnce) {

@@ -4,14 +4,14 @@
 
 #include <cstdio>
 
+#include "model/formats/field_value.hpp"
+#include "model/pipeline/engine.hpp"
+#include "model/shade/frame_lighting.hpp"
 #include "ref/error.hpp"
 #include "ref/scene/scene.hpp"
 #include "tests/shade/lit_configs.hpp"
-#include "model/pipeline/engine.hpp"
-#include "model/formats/field_value.hpp"
-#include "vectors/frame_builder.hpp"
-#include "model/shade/frame_lighting.hpp"
 #include "vectors/awkward_normals.hpp"
+#include "vectors/frame_builder.hpp"
 
 namespace halfspace::tests {
 namespace {
@@ -92,7 +92,8 @@ ref::SnappedList crowd(const ref::RasterFormat& format) {
   return b.list();
 }
 
-// As many indices as triangles are visible, and a window of them: the picture of a frame with an index for each triangle.
+// As many indices as triangles are visible, and a window of them: the picture of a frame with an index for each
+// triangle.
 void expect_reuse(Config config, int window) {
   config.triangles = 2000;
   ref::RasterFormat format = model::raster_format(configuration_of(config));

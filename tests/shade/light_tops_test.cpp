@@ -7,10 +7,10 @@
 #include <string>
 
 #include "hls/top/fields.hpp"
-#include "model/pipeline/engine.hpp"
 #include "model/formats/field_value.hpp"
-#include "vectors/awkward_normals.hpp"
+#include "model/pipeline/engine.hpp"
 #include "model/shade/lighting_engine.hpp"
+#include "vectors/awkward_normals.hpp"
 #include "vectors/standard_set.hpp"
 
 extern "C" void light_vertex_top(const std::int64_t*, const halfspace::LightTable<halfspace::TopFormats>*,
@@ -78,7 +78,8 @@ TEST(LightTops, SelectAndSetUpAsTheKernels) {
     std::size_t passed = 0, lit = 0;
     for (std::size_t n = 0; n < streams["visible"].size(); ++n) {
       std::vector<std::int64_t> told(kVisibleFields, -1), out(kAttributesFields, -1);
-      const bool sent = visible_select_top(streams["attributes"][n].data(), streams["visible"][n].data(), told.data(), out.data());
+      const bool sent =
+          visible_select_top(streams["attributes"][n].data(), streams["visible"][n].data(), told.data(), out.data());
       ASSERT_EQ(told, streams["visible"][n]);
       if (!sent) {
         ++dropped;

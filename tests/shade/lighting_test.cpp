@@ -7,15 +7,15 @@
 #include <cstdio>
 #include <random>
 
-#include "ref/error.hpp"
-#include "ref/scene/scene.hpp"
-#include "ref/geometry/viewpoint.hpp"
-#include "tests/shade/lit_configs.hpp"
-#include "study/bounds/bounds_exact.hpp"
 #include "model/formats/format_fields.hpp"
-#include "study/proofs/lighting_bounds.hpp"
 #include "model/shade/lighting_engine.hpp"
+#include "ref/error.hpp"
+#include "ref/geometry/viewpoint.hpp"
+#include "ref/scene/scene.hpp"
+#include "study/bounds/bounds_exact.hpp"
+#include "study/proofs/lighting_bounds.hpp"
 #include "tests/config_path.hpp"
+#include "tests/shade/lit_configs.hpp"
 
 namespace halfspace::tests {
 namespace {
@@ -35,7 +35,7 @@ void expect_root(std::uint64_t q) {
   ASSERT_EQ(normalized >> bits, 0u) << q;
   ASSERT_NE(normalized >> (bits - 2), 0u) << q;
   const Wide y = raw(got.root), square = y * y * Wide(normalized) << 2;  // (y·√m)² in units of 2^−(T+36)
-  const Wide one = Wide(1) << (bits + 2);                               // units of 2^−34
+  const Wide one = Wide(1) << (bits + 2);                                // units of 2^−34
   const Wide below = (Wide(1) << 17) - 1, above = (Wide(1) << 17) + 1;
   ASSERT_GT(square, below * below * one) << q;
   ASSERT_LT(square, above * above * one) << q;
@@ -166,12 +166,10 @@ TEST(LightingFormats, CompiledAndReadAtRunTimeAreEqual) {
 // The toml files that the RTL is built from say the same.
 TEST(LightingFormats, FilesAndHeadersAgree) {
   for (const Config& config : {LitLow::config(), LitMiddle::config(), LitHigh::config(), LitMatte::config()}) {
-    const model::Configuration file =
-        model::find_configuration(config_path(config.name));
+    const model::Configuration file = model::find_configuration(config_path(config.name));
+    EXPECT_EQ(model::configuration_toml(file), model::configuration_toml(model::Configuration(config.name, config)));
     EXPECT_EQ(model::configuration_toml(file),
-              model::configuration_toml(model::Configuration(config.name, config)));
-    EXPECT_EQ(model::configuration_toml(file), model::configuration_toml(model::parse_configuration(
-                                                     model::configuration_toml(file), "x.toml")));
+              model::configuration_toml(model::parse_configuration(model::configuration_toml(file), "x.toml")));
   }
 }
 

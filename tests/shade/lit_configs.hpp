@@ -9,32 +9,38 @@ namespace halfspace {
 
 struct LitLow {
   static constexpr Config config() {
-    return {"lit_low", 320, 200, 4096, 10, 4, 16, 8, 18, 13, 14, 4, Shading::kGouraud, Architecture::kDelta, 9, 1, 16, 16};
+    return {"lit_low", 320, 200, 4096, 10, 4, 16, 8, 18, 13, 14, 4, Shading::kGouraud, Architecture::kDelta,
+            9,         1,   16,  16};
   }
 };
 struct LitMiddle {
   static constexpr Config config() {
-    return {"lit_middle", 640, 480, 16384, 11, 8, 24, 8, 26, 14, 15, 4, Shading::kGouraud, Architecture::kDelta, 11, 2, 8, 32};
+    return {"lit_middle",         640, 480, 16384, 11, 8, 24, 8, 26, 14, 15, 4, Shading::kGouraud,
+            Architecture::kDelta, 11,  2,   8,     32};
   }
 };
 struct LitHigh {
   static constexpr Config config() {
-    return {"lit_high", 1920, 1080, 262144, 14, 8, 24, 8, 28, 15, 18, 4, Shading::kGouraud, Architecture::kDelta, 13, 4, 16, 512};
+    return {"lit_high",           1920, 1080, 262144, 14, 8, 24, 8, 28, 15, 18, 4, Shading::kGouraud,
+            Architecture::kDelta, 13,   4,    16,     512};
   }
 };
 struct PhongLow {
   static constexpr Config config() {
-    return {"phong_low", 320, 200, 4096, 10, 4, 16, 8, 18, 13, 0, 4, Shading::kPhong, Architecture::kDelta, 9, 1, 16, 16, 13};
+    return {"phong_low",          320, 200, 4096, 10, 4, 16, 8, 18, 13, 0, 4, Shading::kPhong,
+            Architecture::kDelta, 9,   1,   16,   16, 13};
   }
 };
 struct PhongMiddle {
   static constexpr Config config() {
-    return {"phong_middle", 640, 480, 16384, 11, 8, 24, 8, 26, 14, 0, 4, Shading::kPhong, Architecture::kDelta, 11, 2, 16, 512, 15};
+    return {"phong_middle",       640, 480, 16384, 11,  8, 24, 8, 26, 14, 0, 4, Shading::kPhong,
+            Architecture::kDelta, 11,  2,   16,    512, 15};
   }
 };
 struct PhongHigh {
   static constexpr Config config() {
-    return {"phong_high", 1920, 1080, 262144, 14, 8, 24, 8, 28, 15, 0, 4, Shading::kPhong, Architecture::kDelta, 13, 4, 16, 512, 18};
+    return {"phong_high",         1920, 1080, 262144, 14,  8, 24, 8, 28, 15, 0, 4, Shading::kPhong,
+            Architecture::kDelta, 13,   4,    16,     512, 18};
   }
 };
 struct LitMatte {

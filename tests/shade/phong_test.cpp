@@ -5,18 +5,18 @@
 #include <cmath>
 #include <cstdio>
 
-#include "ref/raster/architecture.hpp"
-#include "ref/error.hpp"
-#include "ref/scene/scene.hpp"
-#include "ref/geometry/surface.hpp"
-#include "tests/shade/lit_configs.hpp"
-#include "model/pipeline/engine_impl.hpp"
 #include "model/formats/format_fields.hpp"
+#include "model/pipeline/engine_impl.hpp"
 #include "model/shade/frame_lighting.hpp"
-#include "vectors/awkward_normals.hpp"
+#include "ref/error.hpp"
+#include "ref/geometry/surface.hpp"
+#include "ref/raster/architecture.hpp"
+#include "ref/scene/scene.hpp"
 #include "study/proofs/phong_bounds.hpp"
-#include "vectors/standard_set.hpp"
 #include "tests/config_path.hpp"
+#include "tests/shade/lit_configs.hpp"
+#include "vectors/awkward_normals.hpp"
+#include "vectors/standard_set.hpp"
 
 namespace halfspace::tests {
 namespace {
@@ -100,7 +100,8 @@ void expect_planes_within_bound() {
             for (int i = 0; i < 3; ++i) sum += Wide(weight[i]) * given.normals[exact.vertex[i]][c];
             const long double want = (long double)sum / exact.area;
             // The plane before rounding, without its ½ and its offset.
-            const std::uint64_t bits = std::uint64_t(raw(got.start[c])) + std::uint64_t(std::int64_t(raw(got.dx[c]))) * x +
+            const std::uint64_t bits = std::uint64_t(raw(got.start[c])) +
+                                       std::uint64_t(std::int64_t(raw(got.dx[c]))) * x +
                                        std::uint64_t(std::int64_t(raw(got.dy[c]))) * y;
             const int width = F::NormalPlane::width();
             const long double plane =
@@ -153,7 +154,8 @@ struct SceneResult {
 };
 
 // A scene in the kernels, against the exact formula with its bound, and against the reference's picture.
-SceneResult compare_scene(const std::string& name, bool polished, const Config& config, int width, int height, int within) {
+SceneResult compare_scene(const std::string& name, bool polished, const Config& config, int width, int height,
+                          int within) {
   ref::Scene scene = ref::load_scene(name);
   if (polished) {
     for (ref::Material& material : scene.materials) material.specular = {0.9, 0.7, 1}, material.shininess = 14;
@@ -182,13 +184,15 @@ SceneResult compare_scene(const std::string& name, bool polished, const Config& 
       if (k == 0 || k != want.triangle[at]) continue;
       ++result.pixels;
       const ref::SnappedTriangle& triangle = list.triangles[k - 1];
-      const glm::dvec3 n = ref::normal_at(ref::OrderedTriangle(triangle), geometry.normals(k - 1), config.subpixel_bits, x, y);
+      const glm::dvec3 n =
+          ref::normal_at(ref::OrderedTriangle(triangle), geometry.normals(k - 1), config.subpixel_bits, x, y);
       const int material = distant.triangles[distant.of_face[geometry.positions().face[k - 1] - 1]].material;
       const glm::dvec3 exact = ref::distant_colour(distant.materials[std::size_t(material)], distant.lights, n);
       double distance = 0;
       for (int v = 0; v < 3; ++v) {
         distance = std::max(distance, std::ldexp(std::abs(double(triangle.x[v])) + std::abs(double(triangle.y[v])),
-                                                 -config.subpixel_bits) + x + y + 1);
+                                                 -config.subpixel_bits) +
+                                          x + y + 1);
       }
       result.shortest = std::min(result.shortest, glm::length(n));
       for (int c = 0; c < 3; ++c) {
@@ -196,7 +200,8 @@ SceneResult compare_scene(const std::string& name, bool polished, const Config& 
         const double error = std::abs(double(got.colour[at][c]) - exact[c]), most = 0.5 + bound.error + bound.jump;
         EXPECT_LE(error, most) << name << ", pixel " << x << ", " << y << ", channel " << c;
         EXPECT_LE(std::abs(int(got.colour[at][c]) - int(want.colour[at][c])), within)
-            << name << ", pixel " << x << ", " << y << ", channel " << c << ", bound " << bound.error << " and " << bound.jump;
+            << name << ", pixel " << x << ", " << y << ", channel " << c << ", bound " << bound.error << " and "
+            << bound.jump;
         result.differ += got.colour[at][c] != want.colour[at][c];
         result.jumps += bound.jump > 0;
         result.largest = std::max(result.largest, error - 0.5);
@@ -206,32 +211,36 @@ SceneResult compare_scene(const std::string& name, bool polished, const Config& 
       if (testing::Test::HasFailure()) return result;
     }
   }
-  std::printf("%-10s %-9s %8llu pixels: %.3f LSB beyond the rounding (bound %.3f; %.2f of a pixel's), %llu channels differ, "
-              "%llu at a jump, shortest normal %.3f\n",
-              config.name, name.c_str(), static_cast<unsigned long long>(result.pixels), result.largest, result.bound, result.share,
-              static_cast<unsigned long long>(result.differ), static_cast<unsigned long long>(result.jumps), result.shortest);
+  std::printf(
+      "%-10s %-9s %8llu pixels: %.3f LSB beyond the rounding (bound %.3f; %.2f of a pixel's), %llu channels differ, "
+      "%llu at a jump, shortest normal %.3f\n",
+      config.name, name.c_str(), static_cast<unsigned long long>(result.pixels), result.largest, result.bound,
+      result.share, static_cast<unsigned long long>(result.differ), static_cast<unsigned long long>(result.jumps),
+      result.shortest);
   EXPECT_GT(result.pixels, 1000u) << name;
   return result;
 }
 
 TEST(PhongScenes, AreWithinOneOfTheReferenceInHigh) {
-  for (const std::string& name : ref::builtin_scene_names()) compare_scene(name, false, PhongHigh::config(), 640, 480, 1);
+  for (const std::string& name : ref::builtin_scene_names())
+    compare_scene(name, false, PhongHigh::config(), 640, 480, 1);
 }
 TEST(PhongScenes, AndPolishedUnderFourLights) {
-  for (const std::string& name : ref::builtin_scene_names()) compare_scene(name, true, PhongHigh::config(), 640, 480, 1);
+  for (const std::string& name : ref::builtin_scene_names())
+    compare_scene(name, true, PhongHigh::config(), 640, 480, 1);
 }
-TEST(PhongScenes, KeepTheirBoundInLow) {
-  compare_scene("teapot", false, PhongLow::config(), 320, 200, 255);
-}
+TEST(PhongScenes, KeepTheirBoundInLow) { compare_scene("teapot", false, PhongLow::config(), 320, 200, 255); }
 
 TEST(PhongScenes, AreWithinOneOfTheReferenceInMiddle) {
-  for (const std::string& name : ref::builtin_scene_names()) compare_scene(name, false, PhongMiddle::config(), 640, 480, 1);
+  for (const std::string& name : ref::builtin_scene_names())
+    compare_scene(name, false, PhongMiddle::config(), 640, 480, 1);
 }
 
 TEST(PhongConfigurations, FilesAndHeadersAgree) {
   for (const Config& config : {PhongLow::config(), PhongMiddle::config(), PhongHigh::config()}) {
     const std::string path = config_path(config.name);
-    EXPECT_EQ(model::configuration_toml(model::find_configuration(path)), model::configuration_toml(configuration_of(config)));
+    EXPECT_EQ(model::configuration_toml(model::find_configuration(path)),
+              model::configuration_toml(configuration_of(config)));
   }
 }
 
@@ -248,11 +257,18 @@ TEST(PhongConfigurations, AreRefusedWithAReason) {
   };
   EXPECT_EQ(refusal_of([](Config&) {}), "accepted");
   EXPECT_NE(refusal_of([](Config& c) { c.lights = 0; }).find("there are no lights"), std::string::npos);
-  EXPECT_NE(refusal_of([](Config& c) { c.normal_fraction = 0; }).find("normal_fraction and coordinate_fraction are 1 to 40"), std::string::npos);
-  EXPECT_NE(refusal_of([](Config& c) { c.normal_fraction = 14; }).find("planes of normals can be off"), std::string::npos);
-  EXPECT_NE(refusal_of([](Config& c) { c.normal_fraction = 21; }).find("more fraction bits than its reciprocal"), std::string::npos);
-  EXPECT_NE(refusal_of([](Config& c) { c.colour_fraction = 18; }).find("colour_fraction where shading is not"), std::string::npos);
-  EXPECT_NE(refusal_of([](Config& c) { c.shading = Shading::kGouraud, c.colour_fraction = 18; }).find("normal_fraction where"),
+  EXPECT_NE(
+      refusal_of([](Config& c) { c.normal_fraction = 0; }).find("normal_fraction and coordinate_fraction are 1 to 40"),
+      std::string::npos);
+  EXPECT_NE(refusal_of([](Config& c) { c.normal_fraction = 14; }).find("planes of normals can be off"),
+            std::string::npos);
+  EXPECT_NE(refusal_of([](Config& c) { c.normal_fraction = 21; }).find("more fraction bits than its reciprocal"),
+            std::string::npos);
+  EXPECT_NE(refusal_of([](Config& c) { c.colour_fraction = 18; }).find("colour_fraction where shading is not"),
+            std::string::npos);
+  EXPECT_NE(refusal_of([](Config& c) {
+              c.shading = Shading::kGouraud, c.colour_fraction = 18;
+            }).find("normal_fraction where"),
             std::string::npos);
   EXPECT_NE(refusal_of([](Config& c) { c.normal_bits = 17; }).find("normal_bits is 9 to 16"), std::string::npos);
 }

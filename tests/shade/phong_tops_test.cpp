@@ -6,8 +6,8 @@
 #include <memory>
 
 #include "hls/top/fields.hpp"
-#include "model/pipeline/engine.hpp"
 #include "model/formats/field_value.hpp"
+#include "model/pipeline/engine.hpp"
 #include "model/shade/lighting_records.hpp"
 #include "vectors/awkward_normals.hpp"
 #include "vectors/standard_set.hpp"
@@ -64,8 +64,8 @@ TEST(PhongTops, GiveTheWordsOfTheKernels) {
     ASSERT_EQ(streams["scan"].size(), streams["pixel"].size());
     for (std::size_t n = 0; n < streams["scan"].size(); ++n, ++pixels) {
       std::vector<std::int64_t> out(kPixelFields, -1);
-      shade_phong_top(background[0] << 16 | background[1] << 8 | background[2], streams["scan"][n].data(), database.get(),
-                      lights.get(), materials.get(), out.data());
+      shade_phong_top(background[0] << 16 | background[1] << 8 | background[2], streams["scan"][n].data(),
+                      database.get(), lights.get(), materials.get(), out.data());
       ASSERT_EQ(out, streams["pixel"][n]) << frame.note << ", word " << n;
     }
   }

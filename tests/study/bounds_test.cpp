@@ -21,7 +21,8 @@ void expect_holds(const BoundsReport& report) {
   for (const BoundRow& row : report.rows) {
     if (!row.present()) continue;
     EXPECT_GT(row.compared, 0u) << row.kernel << ": " << row.quantity;
-    EXPECT_EQ(row.exceeded, 0u) << row.kernel << ": " << row.quantity << ", " << row.where.kind << " " << row.where.number;
+    EXPECT_EQ(row.exceeded, 0u) << row.kernel << ": " << row.quantity << ", " << row.where.kind << " "
+                                << row.where.number;
     EXPECT_LE(row.seen, row.proved) << row.kernel << ": " << row.quantity;
   }
 }
@@ -41,8 +42,8 @@ TEST(Bounds, OfNamedConfigurationsHoldAndAreTight) {
     for (const BoundRow& row : report.rows) {
       if (row.exact()) continue;
       EXPECT_GE(row.seen, row.proved / 2) << row.kernel << ": " << row.quantity;
-      std::printf("%-7s %-15s %-21s %.4g of %.4g\n", configuration.name().c_str(), row.kernel.c_str(), row.quantity.c_str(),
-                  row.seen, row.proved);
+      std::printf("%-7s %-15s %-21s %.4g of %.4g\n", configuration.name().c_str(), row.kernel.c_str(),
+                  row.quantity.c_str(), row.seen, row.proved);
     }
     EXPECT_LE(report.rows[model::kDepthPlane].proved, 0.39) << "the goal for depth before rounding";
     EXPECT_LE(report.rows[model::kColourPlane].proved, 1.0 / 16) << "the goal for colour before rounding";
@@ -111,7 +112,8 @@ TEST(Bounds, AreSeenAgainWhereTheyWereSeen) {
 // The meter is not blind: kernels with a bit less are beyond the bounds that hold with it.
 TEST(Bounds, AreExceededWithABitLess) {
   int tried = 0;
-  auto expect_exceeded = [&](const Configuration& configuration, int Config::*number, model::Quantity quantity, int lost) {
+  auto expect_exceeded = [&](const Configuration& configuration, int Config::*number, model::Quantity quantity,
+                             int lost) {
     Config less = configuration.config();
     less.*number -= 1;
     if (refusal(less) != Refusal::kNone) return;
@@ -128,8 +130,8 @@ TEST(Bounds, AreExceededWithABitLess) {
   EXPECT_GE(tried, 6);
 }
 
-// The largest values behind the widths. Each is linear in every one of its variables, so it is largest where all of them
-// are at an end of their range: the ends are tried, all of them.
+// The largest values behind the widths. Each is linear in every one of its variables, so it is largest where all of
+// them are at an end of their range: the ends are tried, all of them.
 TEST(Bounds, OfExactNumbersAreReachedAtTheEndsOfTheirRanges) {
   using model::Wide;
   for (const Configuration& configuration : model::named_configurations()) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ideal picture, what is measured against it, and the intervals that the model of cycles starts from. The model itself is
-// held to the co-simulation by sweep_test.py.
+// The ideal picture, what is measured against it, and the intervals that the model of cycles starts from. The model
+// itself is held to the co-simulation by sweep_test.py.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,11 +8,11 @@
 #include <map>
 #include <random>
 
+#include "model/pipeline/engine.hpp"
 #include "ref/error.hpp"
 #include "ref/geometry/geometry.hpp"
 #include "ref/raster/ideal.hpp"
 #include "ref/scene/scene.hpp"
-#include "model/pipeline/engine.hpp"
 #include "study/trade/trade.hpp"
 
 namespace halfspace::tests {
@@ -42,8 +42,8 @@ TEST(Ideal, OfSnappedTrianglesIsTheReference) {
   }
 }
 
-// Triangles of a mesh whose vertices stand on no grid cover each pixel once: at one depth the first drawn wins, so a pixel
-// covered twice would show another face when they are drawn in the other order.
+// Triangles of a mesh whose vertices stand on no grid cover each pixel once: at one depth the first drawn wins, so a
+// pixel covered twice would show another face when they are drawn in the other order.
 TEST(Ideal, CoversAMeshOnce) {
   constexpr int kWidth = 97, kHeight = 61, kCells = 24;
   std::mt19937_64 random(7);
@@ -102,7 +102,8 @@ TEST(Ideal, KeepsASliverBetweenItsVertices) {
 // A face has one number whatever the view culls or clips before it.
 TEST(Ideal, NumbersFacesWhateverTheView) {
   const ref::Scene scene = ref::load_scene("teapot");
-  const TriangleList fine = ref::project(scene, ref::ideal_view(320, 240)), coarse = ref::project(scene, {320, 240, 11, 1});
+  const TriangleList fine = ref::project(scene, ref::ideal_view(320, 240)),
+                     coarse = ref::project(scene, {320, 240, 11, 1});
   EXPECT_NE(fine.triangles.size(), coarse.triangles.size());
   std::map<std::uint32_t, std::size_t> by_face;
   for (std::size_t k = 0; k < fine.triangles.size(); ++k) by_face[fine.face[k]] = k;
@@ -218,11 +219,13 @@ TEST(Trade, WhatIsNotThereHasNoTraffic) {
   EXPECT_GT(a.words.index.read, 160u * 120);
   EXPECT_LE(a.words.index.written, a.words.index.read);
   EXPECT_EQ(model::total_bytes(a.words, model::entry_bits(flat)),
-            (7 * a.words.index.read + 7) / 8 + (7 * a.words.index.written + 7) / 8 + 24 / 8 * (a.words.shading.read + trade.triangles));
+            (7 * a.words.index.read + 7) / 8 + (7 * a.words.index.written + 7) / 8 +
+                24 / 8 * (a.words.shading.read + trade.triangles));
 }
 
 TEST(Trade, IntervalsOfTheNamedConfigurations) {
-  const std::map<std::string, std::pair<int, int>> documented = {{"low", {21, 24}}, {"middle", {29, 30}}, {"high", {31, 30}}};
+  const std::map<std::string, std::pair<int, int>> documented = {
+      {"low", {21, 24}}, {"middle", {29, 30}}, {"high", {31, 30}}};
   for (const model::Configuration& named : model::named_configurations()) {
     const model::UnitIntervals intervals = model::unit_intervals(named.config());
     EXPECT_EQ(intervals.triangle_setup, documented.at(named.name()).first) << named.name();

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
-#include "ref/raster/plane.hpp"
 #include "model/texture/texture.hpp"
+#include "ref/raster/plane.hpp"
 #include "study/proofs/texture_bounds.hpp"
 
 namespace halfspace::tests {

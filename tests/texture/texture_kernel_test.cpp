@@ -6,15 +6,15 @@
 #include <cmath>
 #include <cstdio>
 
-#include "ref/error.hpp"
-#include "ref/raster/plane.hpp"
-#include "tests/texture/texture_kernels.hpp"
-#include "tests/texture/textured_configs.hpp"
 #include "model/formats/format_fields.hpp"
 #include "model/formats/runtime_formats.hpp"
-#include "vectors/standard_set.hpp"
+#include "ref/error.hpp"
+#include "ref/raster/plane.hpp"
 #include "study/proofs/texture_bounds.hpp"
 #include "tests/config_path.hpp"
+#include "tests/texture/texture_kernels.hpp"
+#include "tests/texture/textured_configs.hpp"
+#include "vectors/standard_set.hpp"
 
 namespace halfspace::tests {
 namespace {

@@ -8,10 +8,10 @@
 #include <memory>
 #include <vector>
 
-#include "hls/texture/texture_setup.hpp"
 #include "hls/setup/triangle_setup.hpp"
-#include "ref/geometry/snap.hpp"
+#include "hls/texture/texture_setup.hpp"
 #include "model/texture/texture_records.hpp"
+#include "ref/geometry/snap.hpp"
 
 namespace halfspace::tests {
 

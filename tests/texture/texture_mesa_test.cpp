@@ -7,10 +7,10 @@
 #include <cstdio>
 #include <random>
 
+#include "model/pipeline/engine_impl.hpp"
 #include "tests/raster/mesa.hpp"
 #include "tests/texture/texture_exact.hpp"
 #include "tests/texture/textured_configs.hpp"
-#include "model/pipeline/engine_impl.hpp"
 
 namespace halfspace::tests {
 namespace {

@@ -7,13 +7,13 @@
 #include <cstdio>
 #include <random>
 
-#include "ref/raster/architecture.hpp"
+#include "model/formats/configuration.hpp"
 #include "ref/error.hpp"
 #include "ref/geometry/surface.hpp"
+#include "ref/raster/architecture.hpp"
 #include "tests/texture/texture_exact.hpp"
 #include "tests/texture/texture_kernels.hpp"
 #include "tests/texture/textured_configs.hpp"
-#include "model/formats/configuration.hpp"
 
 namespace halfspace::tests {
 namespace {

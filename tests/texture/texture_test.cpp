@@ -6,9 +6,9 @@
 
 #include <map>
 
-#include "ref/raster/architecture.hpp"
-#include "ref/error.hpp"
 #include "model/pipeline/engine.hpp"
+#include "ref/error.hpp"
+#include "ref/raster/architecture.hpp"
 
 namespace {
 
@@ -18,7 +18,8 @@ using ref::TextureFilter;
 ref::Texture checker(int size) {
   ref::Texture texture{"checker", size, size, {}};
   for (int n = 0; n < size * size; ++n) {
-    texture.texels.push_back({std::uint8_t(n % size * 8), std::uint8_t(n / size * 8), std::uint8_t(255 * ((n % size + n / size) % 2))});
+    texture.texels.push_back(
+        {std::uint8_t(n % size * 8), std::uint8_t(n / size * 8), std::uint8_t(255 * ((n % size + n / size) % 2))});
   }
   return texture;
 }
@@ -45,7 +46,8 @@ TEST(Texture, IsScaledByMeans) {
   EXPECT_EQ(half.width, 2);
   EXPECT_EQ(half.at(1, 0), (std::array<std::uint8_t, 3>{20, 4, 128}));
   EXPECT_EQ(resampled(checker(4), 4, 4).texels, checker(4).texels);
-  const ref::Texture odd{"odd", 3, 2, {{0, 10, 100}, {30, 20, 100}, {60, 30, 100}, {0, 10, 200}, {30, 20, 200}, {60, 30, 200}}};
+  const ref::Texture odd{
+      "odd", 3, 2, {{0, 10, 100}, {30, 20, 100}, {60, 30, 100}, {0, 10, 200}, {30, 20, 200}, {60, 30, 200}}};
   EXPECT_EQ(resampled(odd, 2, 1).texels, (std::vector<std::array<std::uint8_t, 3>>{{10, 13, 150}, {50, 27, 150}}));
 }
 
@@ -76,8 +78,8 @@ TEST(Texture, IsInPerspective) {
   std::map<ref::TextureMapping, int> wrong;
   int seen = 0;
   for (const auto mapping : {ref::TextureMapping::kPerspective, ref::TextureMapping::kAffine}) {
-    const auto surface = ref::textured_surface(ref::lit_surface(geometry, list, ref::ShadingMode::kFlat), geometry, list,
-                                               {TextureFilter::kBilinear, mapping});
+    const auto surface = ref::textured_surface(ref::lit_surface(geometry, list, ref::ShadingMode::kFlat), geometry,
+                                               list, {TextureFilter::kBilinear, mapping});
     const ref::Drawing drawing = ref::draw(list, *surface, ref::Architecture::kDelta);
     for (int y = 0; y < size; ++y) {
       for (int x = 0; x < size; ++x) {
@@ -88,7 +90,8 @@ TEST(Texture, IsInPerspective) {
         std::uint64_t texels = 0;
         const glm::dvec3 expected = sample(scene.textures[0], uv, TextureFilter::kBilinear, texels);
         bool differs = false;
-        for (int c = 0; c < 3; ++c) differs = differs || std::abs(expected[c] - drawing.colour[at][c]) > 12;  // positions are snapped
+        for (int c = 0; c < 3; ++c)
+          differs = differs || std::abs(expected[c] - drawing.colour[at][c]) > 12;  // positions are snapped
         wrong[mapping] += differs;
         seen += mapping == ref::TextureMapping::kPerspective;
       }
@@ -112,12 +115,14 @@ TEST(Texture, IsFetchedAtScanOut) {
       for (const ref::Architecture architecture : ref::kArchitectures) {
         ref::Geometry geometry(scene, {160, 120, format.range_bits, format.subpixel_bits});
         const ref::SnappedList list = ref::snap(geometry.positions(), format);
-        const auto surface = ref::textured_surface(ref::lit_surface(geometry, list, ref::ShadingMode::kGouraud), geometry, list, {filter});
+        const auto surface = ref::textured_surface(ref::lit_surface(geometry, list, ref::ShadingMode::kGouraud),
+                                                   geometry, list, {filter});
         const ref::Drawing drawing = ref::draw(list, *surface, architecture);
         if (picture.empty()) picture = drawing.colour;
         EXPECT_EQ(drawing.colour, picture);
         const bool alpha = architecture == ref::Architecture::kAlpha;
-        EXPECT_EQ(drawing.rates.texture_fetches, each * (alpha ? drawing.rates.reduced_fragments : drawing.rates.visible_pixels));
+        EXPECT_EQ(drawing.rates.texture_fetches,
+                  each * (alpha ? drawing.rates.reduced_fragments : drawing.rates.visible_pixels));
       }
     }
   }

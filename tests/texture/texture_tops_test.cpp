@@ -7,8 +7,8 @@
 #include "hls/texture/shade_texture.hpp"
 #include "hls/texture/texture_setup.hpp"
 #include "hls/top/fields.hpp"
-#include "vectors/standard_set.hpp"
 #include "model/texture/texture_records.hpp"
+#include "vectors/standard_set.hpp"
 
 using TopTextureDatabase = halfspace::TextureDatabase<halfspace::TopFormats>;
 using TopTextureTable = halfspace::TextureTable<halfspace::TopFormats>;

@@ -10,10 +10,10 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "ref/error.hpp"
-#include "vectors/dump.hpp"
 #include "model/pipeline/engine.hpp"
 #include "model/pipeline/package.hpp"
+#include "ref/error.hpp"
+#include "vectors/dump.hpp"
 #include "vectors/standard_set.hpp"
 
 namespace halfspace::tests {
@@ -36,7 +36,8 @@ class VectorSet : public testing::TestWithParam<const char*> {
     const ref::RasterFormat format = model::raster_format(GetParam());
     std::vector<model::NamedFrame> frames = model::corner_frames(format);
     for (auto& frame : model::random_frames(format, seed, 4, 60)) frames.push_back(std::move(frame));
-    return model::write_vector_set((folder_ / name).string(), {"standard", model::find_configuration(GetParam()), 4, seed}, frames, nullptr);
+    return model::write_vector_set((folder_ / name).string(),
+                                   {"standard", model::find_configuration(GetParam()), 4, seed}, frames, nullptr);
   }
   fs::path folder_ = fs::temp_directory_path() / ("halfspace_vector_set_test_" + std::to_string(getpid()));
 };

@@ -7,9 +7,9 @@
 #include <random>
 #include <set>
 
+#include "model/pipeline/engine.hpp"
 #include "ref/error.hpp"
 #include "ref/raster/raster.hpp"
-#include "model/pipeline/engine.hpp"
 
 namespace {
 
@@ -26,8 +26,8 @@ const std::vector<Frame>& frames() {
   static const std::vector<Frame> all = [] {
     std::vector<Frame> list;
     std::vector<std::string> scenes = ref::builtin_scene_names();
-    for (const char* file : {"OBJ/spider.obj", "glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb", "PLY/cube.ply", "Collada/duck.dae",
-                             "X/test.x"}) {
+    for (const char* file : {"OBJ/spider.obj", "glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb", "PLY/cube.ply",
+                             "Collada/duck.dae", "X/test.x"}) {
       scenes.push_back(std::string(HALFSPACE_TESTMODELS "/") + file);
     }
     for (const std::string& scene : scenes) {
@@ -46,7 +46,8 @@ class Architectures : public ::testing::TestWithParam<Frame> {
     scene_ = ref::load_scene(GetParam().scene);
     view_ = {GetParam().width, GetParam().height, format_.range_bits, format_.subpixel_bits};
   }
-  ref::Drawing draw(Architecture architecture, ShadingMode mode, bool deferred = true, const ref::IndexReuse& reuse = {}) {
+  ref::Drawing draw(Architecture architecture, ShadingMode mode, bool deferred = true,
+                    const ref::IndexReuse& reuse = {}) {
     ref::Geometry geometry(scene_, view_);
     const ref::SnappedList list = ref::snap(geometry.positions(), format_);
     const auto surface = ref::lit_surface(geometry, list, mode);
@@ -145,7 +146,8 @@ TEST(IndexReuse, DrawsMoreTrianglesThanThereAreIndices) {
   std::uniform_real_distribution<double> place(0, 48);
   for (int n = 0; n < 1000; ++n) {
     const double z = n % 100 == 99 ? 0.09 - n * 1e-5 : 0.5;  // one of a hundred is in front
-    list.triangles.push_back({{{place(random), place(random), z, 0, 250, 0}, {place(random), place(random), z, 0, 250, 0},
+    list.triangles.push_back({{{place(random), place(random), z, 0, 250, 0},
+                               {place(random), place(random), z, 0, 250, 0},
                                {place(random), place(random), z, 0, 250, 0}}});
   }
   const ref::SnappedList snapped = ref::snap(list, model::raster_format("middle"));

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Type γ draws what type δ draws, in every pixel: index, depth, colour and the visible triangles. hls/ztest/ztest_plane.hpp has the
-// reason. Both with formats read at run time, so that nothing but the architecture differs.
+// Type γ draws what type δ draws, in every pixel: index, depth, colour and the visible triangles.
+// hls/ztest/ztest_plane.hpp has the reason. Both with formats read at run time, so that nothing but the architecture
+// differs.
 #include <gtest/gtest.h>
 
 #include <random>
 
+#include "model/formats/field_value.hpp"
+#include "model/pipeline/cycles.hpp"
+#include "model/pipeline/engine.hpp"
 #include "ref/error.hpp"
 #include "ref/geometry/geometry.hpp"
 #include "ref/scene/scene.hpp"
-#include "model/pipeline/cycles.hpp"
-#include "model/pipeline/engine.hpp"
-#include "vectors/extremes.hpp"
-#include "model/formats/field_value.hpp"
 #include "study/fit/fit.hpp"
+#include "vectors/extremes.hpp"
 #include "vectors/standard_set.hpp"
 
 namespace halfspace::tests {
@@ -87,8 +88,8 @@ TEST(Gamma, IsDeltaWhateverTheNumbers) {
   auto in = [&](int low, int high) { return low + int(random() % unsigned(high - low + 1)); };
   int accepted = 0;
   for (int n = 0; n < 4000 && accepted < 60; ++n) {
-    Config numbers{"random",   in(1, 300), in(1, 200), in(100, 5000), in(8, 14),  in(1, 10), in(2, 32),
-                   in(1, 8), in(8, 38),  in(6, 22),  in(6, 22),     1 << in(0, 4)};
+    Config numbers{"random",  in(1, 300), in(1, 200), in(100, 5000), in(8, 14), in(1, 10),
+                   in(2, 32), in(1, 8),   in(8, 38),  in(6, 22),     in(6, 22), 1 << in(0, 4)};
     if (in(0, 3) == 0) numbers.shading = Shading::kFlat, numbers.colour_fraction = 0;
     if (refusal(numbers) != Refusal::kNone) continue;
     ++accepted;
@@ -104,11 +105,12 @@ TEST(Gamma, IsDeltaWhateverTheNumbers) {
 
 ref::SnappedList teapot() {
   const ref::RasterFormat format = model::raster_format("low");
-  return ref::snap(ref::project(ref::load_scene("teapot"), {320, 200, format.range_bits, format.subpixel_bits}), format);
+  return ref::snap(ref::project(ref::load_scene("teapot"), {320, 200, format.range_bits, format.subpixel_bits}),
+                   format);
 }
 
-// What the equality hangs on: the planes have all their bits. With a few fraction bits less, as in a narrower TdbV, depths of
-// visible pixels come out otherwise than the Z-buffer has them.
+// What the equality hangs on: the planes have all their bits. With a few fraction bits less, as in a narrower TdbV,
+// depths of visible pixels come out otherwise than the Z-buffer has them.
 TEST(Gamma, NarrowerPlanesHaveOtherDepths) {
   Config config = config_of("low");
   config.architecture = Architecture::kGamma;
@@ -160,8 +162,8 @@ TEST(Gamma, TestsCostACycleForEachStoredTriangle) {
     t.depth = {depth, depth, depth};
     return t;
   };
-  const ref::SnappedList scene{model::raster_format("low"), 2, 2, {0, 0, 0},
-                             {whole(100), whole(60000), ref::SnappedTriangle{}}};
+  const ref::SnappedList scene{
+      model::raster_format("low"), 2, 2, {0, 0, 0}, {whole(100), whole(60000), ref::SnappedTriangle{}}};
   const std::vector<PlaneTests> tests = engine->plane_tests(scene);
   ASSERT_EQ(tests.size(), 3u);
   // One for its plane, and one for its stamp: over the background, over a triangle, over nothing.
@@ -214,7 +216,8 @@ TEST(Gamma, IsRefusedWithoutDepthAndWithoutAWord) {
     model::parse_configuration(toml.substr(0, line) + "architecture = \"beta\"\n", "x.toml");
     ADD_FAILURE() << "accepted";
   } catch (const ref::Error& e) {
-    EXPECT_NE(std::string(e.what()).find("x.toml:14: architecture is \"delta\" or \"gamma\""), std::string::npos) << e.what();
+    EXPECT_NE(std::string(e.what()).find("x.toml:14: architecture is \"delta\" or \"gamma\""), std::string::npos)
+        << e.what();
   }
 }
 
