@@ -11,6 +11,7 @@ import tempfile
 import unittest
 
 HALFSPACE, MODELS = sys.argv[1], pathlib.Path(sys.argv[2])
+CONFIGS = pathlib.Path(__file__).resolve().parent.parent / "configs"
 COMMANDS = ("render", "vectors", "compare", "config", "package", "report", "bounds", "fit", "stability", "sweep", "frames", "quality", "cost")
 TRIANGLE = "t 1 1 0.5 255 0 0  30 2 0.5 0 255 0  4 20 0.25 0 0 255\n"
 
@@ -56,7 +57,7 @@ class CommandLine(unittest.TestCase):
 
     def test_textures_that_do_not_fit_are_scaled_with_a_warning(self):
         for name, scaled in (("textured_low", True), ("textured_high", False), ("lit_low", False)):
-            config = pathlib.Path(__file__).with_name("configs") / f"{name}.toml"
+            config = CONFIGS / name.split("_")[0] / f"{name}.toml"
             result = run("render", MODELS / "Collada" / "duck.dae", "--config", config, "--engine", "ref", "--texture", "nearest")
             self.assertEqual(result.returncode, 0, result.stderr)
             if scaled:
@@ -141,7 +142,7 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(len(list(out.iterdir())), 10)
 
     def test_vectors_of_buffers_that_are_merged(self):
-        config = pathlib.Path(__file__).with_name("configs") / "objects_tiny.toml"
+        config = CONFIGS / "objects/objects_tiny.toml"
         out = self.folder / "m"
         self.good("vectors", "merge", "--config", config, "--out", out)
         manifest = json.loads((out / "manifest.json").read_text())

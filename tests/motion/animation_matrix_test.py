@@ -12,7 +12,7 @@ import shutil
 import subprocess
 import sys
 
-TESTS = pathlib.Path(__file__).resolve().parent
+TESTS = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(TESTS.parent / "tb"))
 from model import build  # noqa: E402
 
@@ -28,7 +28,7 @@ def run(command):
 
 
 def configuration(size, keys, samples, path):
-    text = (TESTS / "configs" / f"motion_{size}.toml").read_text()
+    text = (TESTS / "configs/motion" / f"motion_{size}.toml").read_text()
     values = {"name": f'"{path.parent.name}"', "samples": samples}
     if keys != "field":
         values["filter"] = f'"{keys}"'
@@ -56,7 +56,7 @@ def try_case(args, case):
     for scene, first in SCENES.items():
         own = ["--size", "160x120", "--time", (first + 2) / RATE, "--interval", f"{first / RATE}:{(first + 5) / RATE}",
                "--no-corners" if field else "--compensation"]
-        code, text = run([sys.executable, TESTS / "cosim_test.py", args.halfspace, bench, folder / "vectors", scene, toml, lanes,
+        code, text = run([sys.executable, TESTS / "pipeline/cosim_test.py", args.halfspace, bench, folder / "vectors", scene, toml, lanes,
                           "--stall", 30, "--seeds", args.seeds, "--", *own])
         if code:
             return False, f"{scene}: {text}"

@@ -12,7 +12,7 @@ import shutil
 import subprocess
 import sys
 
-TESTS = pathlib.Path(__file__).resolve().parent
+TESTS = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(TESTS.parent / "tb"))
 from model import build  # noqa: E402
 
@@ -23,7 +23,7 @@ def run(command):
 
 
 def configuration(size, keys, samples, path):
-    text = (TESTS / "configs" / f"motion_{size}.toml").read_text()
+    text = (TESTS / "configs/motion" / f"motion_{size}.toml").read_text()
     for key, value in {"name": f'"{path.parent.name}"', "filter": f'"{keys}"', "samples": samples}.items():
         text, count = re.subn(rf"^{key} = \S+", f"{key} = {value}", text, flags=re.MULTILINE)
         assert count == 1, (key, count)
@@ -43,7 +43,7 @@ def try_case(args, case):
     bench = build(package, 4, "hs_compensate_units", folder / "model", args.library, verilator=args.verilator,
                   cxx=args.cxx, yosys=args.yosys if netlist else None)
     for stall, seeds in ((30, args.seeds), (0, 1)):
-        code, text = run([sys.executable, TESTS / "cosim_test.py", args.halfspace, bench, folder / "vectors", "compensation",
+        code, text = run([sys.executable, TESTS / "pipeline/cosim_test.py", args.halfspace, bench, folder / "vectors", "compensation",
                           toml, 4, "--stall", stall, "--seeds", seeds])
         if code:
             return False, text

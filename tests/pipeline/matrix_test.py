@@ -12,7 +12,7 @@ import shutil
 import subprocess
 import sys
 
-TESTS = pathlib.Path(__file__).resolve().parent
+TESTS = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(TESTS.parent / "tb"))
 from model import build  # noqa: E402
 
@@ -25,7 +25,7 @@ TEXTURE = {"low": {"texels": 4096, "textures": 16, "coordinate_bits": 16, "coord
 def configuration(case, path):
     """Writes the .toml file of a case: that of the size, with what the case changes."""
     size, architecture, shading, *texture = case.removesuffix("-objects").split("-")
-    text = (TESTS / "configs" / f"lit_{size}.toml").read_text()
+    text = (TESTS / "configs/lit" / f"lit_{size}.toml").read_text()
     changes = {"name": f'"{case.replace("-", "_")}"', "architecture": f'"{architecture}"', "shading": f'"{shading}"'}
     if shading != "gouraud":
         changes["colour_fraction"] = "0"
@@ -59,7 +59,7 @@ def try_case(args, case):
     bench = build(package, args.lanes, "hs_pipeline", folder / "model", args.library, verilator=args.verilator, cxx=args.cxx)
     scene = args.textured_scene if case.removesuffix("-objects").count("-") > 2 else "teapot"
     for scene, seeds, options in (("standard", args.seeds, []), (scene, 1, ["--no-corners", "--size", "160x120"])):
-        code, text = run([sys.executable, TESTS / "cosim_test.py", args.halfspace, bench, folder / "vectors", scene, toml,
+        code, text = run([sys.executable, TESTS / "pipeline/cosim_test.py", args.halfspace, bench, folder / "vectors", scene, toml,
                           args.lanes, "--stall", 30, "--seeds", seeds, "--", *options])
         if code:
             return False, text

@@ -22,7 +22,7 @@ UNNAMED = {
     "long": {"depth_bits": 10, "colour_bits": 6, "reciprocal_bits": 37},
 }
 # With lighting, from files, and how many proofs they have.
-CONFIGS = pathlib.Path(__file__).parent / "configs"
+CONFIGS = pathlib.Path(__file__).resolve().parent.parent / "configs/lit"
 LIT = {CONFIGS / "lit_low.toml": 13, CONFIGS / "lit_middle.toml": 13, CONFIGS / "lit_high.toml": 13, CONFIGS / "lit_matte.toml": 3,
        CONFIGS / "phong_low.toml": 13, CONFIGS / "phong_high.toml": 13}
 # A number that is as small as it can be: mantissa, exponent.

@@ -43,7 +43,7 @@ class VectorSet : public testing::TestWithParam<const char*> {
 };
 
 TEST_P(VectorSet, PackageIsTheCommittedOne) {
-  const fs::path file = fs::path(HALFSPACE_SOURCE) / "rtl" / GetParam() / "hs_formats_pkg.sv";
+  const fs::path file = fs::path(HALFSPACE_SOURCE) / "rtl" / "formats" / GetParam() / "hs_formats_pkg.sv";
   EXPECT_EQ(text_of(file), model::formats_package(model::find_configuration(GetParam())))
       << file << " has drifted: run `halfspace package --config " << GetParam() << " -o " << file.string() << "`";
 }
