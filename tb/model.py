@@ -58,8 +58,8 @@ def build(package, lanes, top, out, libraries, rtl=TB.parent / "rtl", verilator=
          *sources], "verilate.py")
     root = run([verilator, "--getenv", "VERILATOR_ROOT"], verilator).strip()
     # Everything in one go: the headers cost more than the model.
-    (out / "all.cpp").write_text('#include "fast.cpp"\n#include "slow.cpp"\n#include "binding.cpp"\n')
-    run([cxx, "-std=c++17", optimize, "-w", f"-I{out}", f"-I{TB}", f"-I{root}/include", f"-I{root}/include/vltstd",
+    (out / "all.cpp").write_text('#include "fast.cpp"\n#include "slow.cpp"\n#include "tb/harness/binding.cpp"\n')
+    run([cxx, "-std=c++17", optimize, "-w", f"-I{out}", f"-I{TB.parent}", f"-I{root}/include", f"-I{root}/include/vltstd",
          f'-DHS_TOP="{top}"', f'-DHS_CONFIG="{name.group(1)}"', f"-DHS_LANES_X={lanes_x}", f"-DHS_LANES_Y={lanes_y}",
          out / "all.cpp", *libraries, "-pthread", "-o", out / "bench"], cxx)
     return out / "bench"

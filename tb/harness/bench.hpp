@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A clocked model with Senders and Receivers on its streams, and what a run of it gave.
-#ifndef HALFSPACE_TB_BENCH_HPP_
-#define HALFSPACE_TB_BENCH_HPP_
+#ifndef HALFSPACE_TB_HARNESS_BENCH_HPP_
+#define HALFSPACE_TB_HARNESS_BENCH_HPP_
 
 #include <algorithm>
 #include <chrono>
@@ -12,11 +12,11 @@
 #include <string>
 #include <vector>
 
-#include "accesses.hpp"
-#include "channel.hpp"
-#include "model.hpp"
-#include "options.hpp"
-#include "rates.hpp"
+#include "tb/harness/channel.hpp"
+#include "tb/harness/model.hpp"
+#include "tb/harness/options.hpp"
+#include "tb/report/accesses.hpp"
+#include "tb/report/rates.hpp"
 
 namespace halfspace::tb {
 
@@ -105,4 +105,4 @@ class Bench {
 
 }  // namespace halfspace::tb
 
-#endif  // HALFSPACE_TB_BENCH_HPP_
+#endif  // HALFSPACE_TB_HARNESS_BENCH_HPP_

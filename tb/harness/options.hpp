@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The command line of the bench and of the co-simulation.
-#ifndef HALFSPACE_TB_OPTIONS_HPP_
-#define HALFSPACE_TB_OPTIONS_HPP_
+#ifndef HALFSPACE_TB_HARNESS_OPTIONS_HPP_
+#define HALFSPACE_TB_HARNESS_OPTIONS_HPP_
 
 #include <cstdint>
 #include <string>
@@ -26,4 +26,4 @@ Options parse_options(int argc, char** argv, bool units);
 
 }  // namespace halfspace::tb
 
-#endif  // HALFSPACE_TB_OPTIONS_HPP_
+#endif  // HALFSPACE_TB_HARNESS_OPTIONS_HPP_

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors.hpp"
+#include "tb/harness/vectors.hpp"
 
 #include <algorithm>
 #include <fstream>

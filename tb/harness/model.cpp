@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model.hpp"
+#include "tb/harness/model.hpp"
 
 #include <cstring>
 
-#include "vectors.hpp"
+#include "tb/harness/vectors.hpp"
 
 namespace halfspace::tb {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Words in a person's terms: stream, word, frame, triangle, pixel, field, expected, got.
-#ifndef HALFSPACE_TB_DESCRIBE_HPP_
-#define HALFSPACE_TB_DESCRIBE_HPP_
+#ifndef HALFSPACE_TB_REPORT_DESCRIBE_HPP_
+#define HALFSPACE_TB_REPORT_DESCRIBE_HPP_
 
 #include <cstddef>
 #include <cstdint>
 #include <string>
 
-#include "vectors.hpp"
+#include "tb/harness/vectors.hpp"
 
 namespace halfspace::tb {
 
@@ -32,4 +32,4 @@ std::string describe_stream(const Stream& stream);
 
 }  // namespace halfspace::tb
 
-#endif  // HALFSPACE_TB_DESCRIBE_HPP_
+#endif  // HALFSPACE_TB_REPORT_DESCRIBE_HPP_

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a frame read and wrote of its memories, counted in the words that the RTL sent.
-#ifndef HALFSPACE_TB_ACCESSES_HPP_
-#define HALFSPACE_TB_ACCESSES_HPP_
+#ifndef HALFSPACE_TB_REPORT_ACCESSES_HPP_
+#define HALFSPACE_TB_REPORT_ACCESSES_HPP_
 
 #include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
 
-#include "vectors.hpp"
+#include "tb/harness/vectors.hpp"
 
 namespace halfspace::tb {
 
@@ -32,4 +32,4 @@ std::vector<Accesses> count_accesses(const Vectors& vectors, const std::map<std:
 
 }  // namespace halfspace::tb
 
-#endif  // HALFSPACE_TB_ACCESSES_HPP_
+#endif  // HALFSPACE_TB_REPORT_ACCESSES_HPP_

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The data rates of a frame, counted in the words that the RTL sent.
-#ifndef HALFSPACE_TB_RATES_HPP_
-#define HALFSPACE_TB_RATES_HPP_
+#ifndef HALFSPACE_TB_REPORT_RATES_HPP_
+#define HALFSPACE_TB_REPORT_RATES_HPP_
 
 #include <cstdint>
 #include <map>
 #include <string>
 
-#include "vectors.hpp"
+#include "tb/harness/vectors.hpp"
 
 namespace halfspace::tb {
 
@@ -28,4 +28,4 @@ Rates count_rates(const Vectors& vectors, const std::map<std::string, Words>& re
 
 }  // namespace halfspace::tb
 
-#endif  // HALFSPACE_TB_RATES_HPP_
+#endif  // HALFSPACE_TB_REPORT_RATES_HPP_

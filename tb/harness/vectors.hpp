@@ -3,8 +3,8 @@
 //
 // Nothing here knows the records: the fields come from the manifest. Whatever is wrong with the files ends in an
 // Error of one sentence that names the file, the place and the remedy.
-#ifndef HALFSPACE_TB_VECTORS_HPP_
-#define HALFSPACE_TB_VECTORS_HPP_
+#ifndef HALFSPACE_TB_HARNESS_VECTORS_HPP_
+#define HALFSPACE_TB_HARNESS_VECTORS_HPP_
 
 #include <cstddef>
 #include <cstdint>
@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "words.hpp"
+#include "tb/harness/words.hpp"
 
 namespace halfspace::tb {
 
@@ -76,4 +76,4 @@ void load_words(const std::string& directory, Stream* stream);
 
 }  // namespace halfspace::tb
 
-#endif  // HALFSPACE_TB_VECTORS_HPP_
+#endif  // HALFSPACE_TB_HARNESS_VECTORS_HPP_

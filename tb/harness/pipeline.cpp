@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "pipeline.hpp"
+#include "tb/harness/pipeline.hpp"
 
 #include <algorithm>
 #include <cstring>

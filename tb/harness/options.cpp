@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "options.hpp"
+#include "tb/harness/options.hpp"
 
 #include <CLI/CLI.hpp>
 #include <cstdlib>

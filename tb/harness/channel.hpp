@@ -3,8 +3,8 @@
 // holds each whole word against the file.
 //
 // A clock cycle is: drive() of all, evaluate with the clock low, sample() of all, evaluate with the clock high.
-#ifndef HALFSPACE_TB_CHANNEL_HPP_
-#define HALFSPACE_TB_CHANNEL_HPP_
+#ifndef HALFSPACE_TB_HARNESS_CHANNEL_HPP_
+#define HALFSPACE_TB_HARNESS_CHANNEL_HPP_
 
 #include <cstddef>
 #include <cstdint>
@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
-#include "describe.hpp"
-#include "model.hpp"
-#include "stall.hpp"
-#include "vectors.hpp"
+#include "tb/harness/model.hpp"
+#include "tb/harness/stall.hpp"
+#include "tb/harness/vectors.hpp"
+#include "tb/report/describe.hpp"
 
 namespace halfspace::tb {
 
@@ -116,4 +116,4 @@ class Receiver {
 
 }  // namespace halfspace::tb
 
-#endif  // HALFSPACE_TB_CHANNEL_HPP_
+#endif  // HALFSPACE_TB_HARNESS_CHANNEL_HPP_

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "accesses.hpp"
+#include "tb/report/accesses.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // When a stream's partner is not ready: at random, in phases, so that queues run full, run empty and flow freely.
-#ifndef HALFSPACE_TB_STALL_HPP_
-#define HALFSPACE_TB_STALL_HPP_
+#ifndef HALFSPACE_TB_HARNESS_STALL_HPP_
+#define HALFSPACE_TB_HARNESS_STALL_HPP_
 
 #include <algorithm>
 #include <cstdint>
@@ -62,4 +62,4 @@ class Stall {
 
 }  // namespace halfspace::tb
 
-#endif  // HALFSPACE_TB_STALL_HPP_
+#endif  // HALFSPACE_TB_HARNESS_STALL_HPP_

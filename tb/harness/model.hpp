@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A Verilated model as the harness sees it: named ports and a way to evaluate. binding.cpp makes one of the class
 // that Verilator printed, so that nothing else is compiled once a configuration.
-#ifndef HALFSPACE_TB_MODEL_HPP_
-#define HALFSPACE_TB_MODEL_HPP_
+#ifndef HALFSPACE_TB_HARNESS_MODEL_HPP_
+#define HALFSPACE_TB_HARNESS_MODEL_HPP_
 
 #include <cstdint>
 #include <memory>
@@ -64,4 +64,4 @@ std::string model_top();
 
 }  // namespace halfspace::tb
 
-#endif  // HALFSPACE_TB_MODEL_HPP_
+#endif  // HALFSPACE_TB_HARNESS_MODEL_HPP_

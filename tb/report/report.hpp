@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the runs gave, for a person and as JSON.
-#ifndef HALFSPACE_TB_REPORT_HPP_
-#define HALFSPACE_TB_REPORT_HPP_
+#ifndef HALFSPACE_TB_REPORT_REPORT_HPP_
+#define HALFSPACE_TB_REPORT_REPORT_HPP_
 
 #include <string>
 #include <vector>
 
-#include "bench.hpp"
+#include "tb/harness/bench.hpp"
 
 namespace halfspace::tb {
 
@@ -23,4 +23,4 @@ std::string index_picture(const Vectors& vectors, const Words& scan);
 
 }  // namespace halfspace::tb
 
-#endif  // HALFSPACE_TB_REPORT_HPP_
+#endif  // HALFSPACE_TB_REPORT_REPORT_HPP_

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The co-simulation of hs_pipeline: triangles in, every stream held against the vectors.
-#ifndef HALFSPACE_TB_PIPELINE_HPP_
-#define HALFSPACE_TB_PIPELINE_HPP_
+#ifndef HALFSPACE_TB_HARNESS_PIPELINE_HPP_
+#define HALFSPACE_TB_HARNESS_PIPELINE_HPP_
 
 #include <map>
 #include <string>
 
-#include "bench.hpp"
+#include "tb/harness/bench.hpp"
 
 namespace halfspace::tb {
 
@@ -21,4 +21,4 @@ Result run_pipeline(Model* model, const Vectors& vectors, const Options& options
 
 }  // namespace halfspace::tb
 
-#endif  // HALFSPACE_TB_PIPELINE_HPP_
+#endif  // HALFSPACE_TB_HARNESS_PIPELINE_HPP_

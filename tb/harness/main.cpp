@@ -3,10 +3,10 @@
 #include <cstdio>
 #include <set>
 
-#include "options.hpp"
-#include "pipeline.hpp"
-#include "report.hpp"
-#include "units.hpp"
+#include "tb/harness/options.hpp"
+#include "tb/harness/pipeline.hpp"
+#include "tb/harness/units.hpp"
+#include "tb/report/report.hpp"
 
 namespace halfspace::tb {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "rates.hpp"
+#include "tb/report/rates.hpp"
 
 namespace halfspace::tb {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "describe.hpp"
+#include "tb/report/describe.hpp"
 
 #include <cmath>
 #include <cstdio>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench.hpp"
+#include "tb/harness/bench.hpp"
 
 #include <cstdio>
 

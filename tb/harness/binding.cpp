@@ -4,7 +4,7 @@
 #include <verilated.h>
 
 #include "Vmodel.h"
-#include "model.hpp"
+#include "tb/harness/model.hpp"
 
 double sc_time_stamp() { return 0; }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The benches of hs_units: each unit alone.
-#ifndef HALFSPACE_TB_UNITS_HPP_
-#define HALFSPACE_TB_UNITS_HPP_
+#ifndef HALFSPACE_TB_HARNESS_UNITS_HPP_
+#define HALFSPACE_TB_HARNESS_UNITS_HPP_
 
 #include <string>
 #include <vector>
 
-#include "bench.hpp"
+#include "tb/harness/bench.hpp"
 
 namespace halfspace::tb {
 
@@ -23,4 +23,4 @@ Result run_unit(const std::string& unit, Model* model, const Vectors& vectors, c
 
 }  // namespace halfspace::tb
 
-#endif  // HALFSPACE_TB_UNITS_HPP_
+#endif  // HALFSPACE_TB_HARNESS_UNITS_HPP_

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Words of any one width, in the order of memory that Verilator's ports have too: 32-bit parts, least
 // significant first, no bit set above the width.
-#ifndef HALFSPACE_TB_WORDS_HPP_
-#define HALFSPACE_TB_WORDS_HPP_
+#ifndef HALFSPACE_TB_HARNESS_WORDS_HPP_
+#define HALFSPACE_TB_HARNESS_WORDS_HPP_
 
 #include <cstddef>
 #include <cstdint>
@@ -49,4 +49,4 @@ class Words {
 
 }  // namespace halfspace::tb
 
-#endif  // HALFSPACE_TB_WORDS_HPP_
+#endif  // HALFSPACE_TB_HARNESS_WORDS_HPP_
