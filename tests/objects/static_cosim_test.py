@@ -11,7 +11,8 @@ import re
 import shutil
 import sys
 
-from cosim_test import run, run_bench
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "pipeline"))
+from cosim_test import run, run_bench  # noqa: E402
 
 
 def words(folder, name):

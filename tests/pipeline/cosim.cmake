@@ -1,91 +1,64 @@
-# What is co-simulated in every run of the tests, and, with label `long`, what takes longer.
+# What is co-simulated of low, middle and high in every run of the tests, and, with label `long`, what takes longer.
+function(halfspace_units_cosim config lanes scene seeds)
+  halfspace_cosim(units_${scene}_${config}_${lanes} units ${config} ${lanes} ${scene} STALL 35 SEEDS ${seeds})
+endfunction()
 # Units alone, on corner cases, random frames and small frames of scenes.
-foreach(pair IN ITEMS low-4 middle-1 middle-16 high-4)
-  string(REPLACE "-" ";" pair ${pair})
-  list(GET pair 0 config)
-  list(GET pair 1 lanes)
-  halfspace_cosim(${config} ${lanes} standard TOP units STALL 35 SEEDS 10)
-endforeach()
+halfspace_units_cosim(low 4 standard 10)
+halfspace_units_cosim(middle 1 standard 10)
+halfspace_units_cosim(middle 16 standard 10)
+halfspace_units_cosim(high 4 standard 10)
 
 # The pipeline: corner cases and random frames under ten seeds, then whole frames without stalls, where the cycles of a
 # frame are held to 1.25 of what the units' rates allow.
-foreach(pair IN ITEMS low-4 middle-1 middle-4 middle-16 high-4)
-  string(REPLACE "-" ";" pair ${pair})
-  list(GET pair 0 config)
-  list(GET pair 1 lanes)
-  halfspace_cosim(${config} ${lanes} standard STALL 30 SEEDS 10)
-  halfspace_cosim(${config} ${lanes} teapot STALL 0 SEEDS 1 BOUND 1.25 VECTORS --no-corners)
-  halfspace_cosim(${config} ${lanes} castle STALL 0 SEEDS 1 BOUND 1.25 VECTORS --no-corners)
-endforeach()
+function(halfspace_frames_cosim config lanes)
+  halfspace_cosim(pipeline_standard_${config}_${lanes} pipeline ${config} ${lanes} standard SEEDS 10)
+  foreach(scene teapot castle)
+    halfspace_cosim(pipeline_${scene}_${config}_${lanes} pipeline ${config} ${lanes} ${scene} STALL 0 OPTIONS --bound 1.25 VECTORS --no-corners)
+  endforeach()
+endfunction()
+halfspace_frames_cosim(low 4)
+halfspace_frames_cosim(middle 1)
+halfspace_frames_cosim(middle 4)
+halfspace_frames_cosim(middle 16)
+halfspace_frames_cosim(high 4)
 # The largest frame, and the last index behind triangles without area.
-halfspace_cosim(low 4 largest TOP units STALL 35 SEEDS 2)
-halfspace_cosim(middle 4 largest STALL 30 SEEDS 2)
-halfspace_cosim(high 4 largest STALL 0 SEEDS 1)
-halfspace_cosim(middle 4 teapot NAME _stalls STALL 30 SEEDS 10 VECTORS --no-corners --size 320x240)
-halfspace_cosim(middle 4 castle NAME _stalls STALL 30 SEEDS 10 VECTORS --no-corners --size 320x240)
-halfspace_cosim(middle 4 ${HALFSPACE_TESTMODELS}/OBJ/spider.obj STALL 10 SEEDS 2 VECTORS --no-corners)
-halfspace_cosim(high 4 ${HALFSPACE_TESTMODELS}/glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb STALL 0 SEEDS 1
-                VECTORS --no-corners --size 640x480)
-halfspace_cosim(middle 4 ${HALFSPACE_TESTMODELS}/Collada/box_nested_animation.dae STALL 10 SEEDS 1
-                VECTORS --no-corners --time 1.5)
+halfspace_units_cosim(low 4 largest 2)
+halfspace_cosim(pipeline_largest_middle_4 pipeline middle 4 largest SEEDS 2)
+halfspace_cosim(pipeline_largest_high_4 pipeline high 4 largest STALL 0)
+foreach(scene teapot castle)
+  halfspace_cosim(pipeline_${scene}_middle_4_stalls pipeline middle 4 ${scene} SEEDS 10 VECTORS --no-corners --size 320x240)
+endforeach()
+# halfspace_model_cosim(CONFIG FILE …): a scene file.
+function(halfspace_model_cosim config file)
+  get_filename_component(stem ${file} NAME_WE)
+  halfspace_cosim(pipeline_${stem}_${config}_4 pipeline ${config} 4 ${HALFSPACE_TESTMODELS}/${file} ${ARGN})
+endfunction()
+halfspace_model_cosim(middle OBJ/spider.obj STALL 10 SEEDS 2 VECTORS --no-corners)
+halfspace_model_cosim(high glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb STALL 0 VECTORS --no-corners --size 640x480)
+halfspace_model_cosim(middle Collada/box_nested_animation.dae STALL 10 VECTORS --no-corners --time 1.5)
 
 # The netlist that Yosys makes of the pipeline.
-halfspace_cosim(low 1 standard TOP netlist STALL 30 SEEDS 1)
-halfspace_cosim(middle 4 standard TOP netlist STALL 30 SEEDS 1)
-halfspace_cosim(high 16 standard TOP netlist STALL 30 SEEDS 1)
+halfspace_cosim(netlist_standard_low_1 netlist low 1 standard)
+halfspace_cosim(netlist_standard_middle_4 netlist middle 4 standard)
+halfspace_cosim(netlist_standard_high_16 netlist high 16 standard)
 
-# Configurations that nobody named, from files: the package is printed and the bench built from it, in model_TOP_NAME_LANES; with NETLIST
-# from what Yosys makes of the RTL, in netlist_…. LABEL: for tests of that label alone.
-function(halfspace_cosim_build name lanes top)
-  cmake_parse_arguments(PARSE_ARGV 3 C "NETLIST" "LABEL" "")
-  if(NOT C_LABEL)
-    set(C_LABEL all)
-  endif()
-  set(stem model_${top}_${name}_${lanes})
-  set(through "")
-  if(C_NETLIST)
-    set(stem netlist_${top}_${name}_${lanes})
-    set(through --yosys ${HALFSPACE_YOSYS})
-  endif()
-  set(toml ${config_of_${name}})
-  set(model ${CMAKE_CURRENT_BINARY_DIR}/${stem})
-  file(GLOB units CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/rtl/*/hs_*.sv)
-  add_custom_command(OUTPUT ${model}/bench
-    COMMAND ${CMAKE_COMMAND} -E make_directory ${model}
-    COMMAND halfspace package --config ${toml} -o ${model}/hs_formats_pkg.sv
-    COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tb/model.py --package ${model}/hs_formats_pkg.sv --lanes ${lanes}
-      --top hs_${top} --out ${model} --library $<TARGET_FILE:halfspace_tb> --library $<TARGET_FILE:halfspace_verilated>
-      --verilator ${HALFSPACE_VERILATOR} --cxx ${CMAKE_CXX_COMPILER} --optimize=-O0 ${through}
-    DEPENDS halfspace halfspace_tb halfspace_verilated ${toml} ${units} ${PROJECT_SOURCE_DIR}/tb/model.py
-    COMMENT "Bench of hs_${top} (${name}.toml, ${lanes} lanes)" VERBATIM)
-  add_custom_target(${stem} DEPENDS ${model}/bench)
-  add_dependencies(${C_LABEL}_tests ${stem})
-endfunction()
-# That, and its co-simulation. A fourth argument is another scene than `standard`.
-function(halfspace_cosim_file name lanes top)
-  set(scene standard)
-  if(ARGC GREATER 3)
-    set(scene ${ARGV3})
-  endif()
-  halfspace_cosim_build(${name} ${lanes} ${top})
-  set(toml ${config_of_${name}})
-  set(model ${CMAKE_CURRENT_BINARY_DIR}/model_${top}_${name}_${lanes})
-  add_test(NAME ${top}_file_${name}_${lanes} COMMAND Python3::Interpreter ${cosim_tool} $<TARGET_FILE:halfspace> ${model}/bench
-           ${CMAKE_CURRENT_BINARY_DIR}/${top}_file_${name}_${lanes} ${scene} ${toml} ${lanes} --stall 30 --seeds 3)
-endfunction()
-halfspace_cosim_file(odd 4 units)
-halfspace_cosim_file(odd 2 pipeline)
-halfspace_cosim_file(tiny 1 units)
-halfspace_cosim_file(tiny 16 pipeline)
-halfspace_cosim_file(wide 8 units)
-halfspace_cosim_file(wide 1 pipeline)
+# Configurations that nobody named.
+halfspace_cosim_file(units odd 4)
+halfspace_cosim_file(pipeline odd 2)
+halfspace_cosim_file(units tiny 1)
+halfspace_cosim_file(pipeline tiny 16)
+halfspace_cosim_file(units wide 8)
+halfspace_cosim_file(pipeline wide 1)
+# A frame of 3104 triangles with 2500 indices.
+halfspace_cosim_file(pipeline reuse 4)
+halfspace_cosim(pipeline_reuse_castle pipeline reuse 4 castle SEEDS 3 VECTORS --window 64 --random 1)
 
 # Every configuration with every number of lanes, under ten seeds.
 foreach(config IN LISTS HALFSPACE_CONFIGS)
   foreach(lanes IN LISTS HALFSPACE_LANES)
-    halfspace_cosim(${config} ${lanes} standard TOP units NAME _long STALL 35 SEEDS 10 LABEL long)
+    halfspace_cosim(units_standard_${config}_${lanes}_long units ${config} ${lanes} standard STALL 35 SEEDS 10 LONG)
     foreach(scene IN ITEMS teapot castle)
-      halfspace_cosim(${config} ${lanes} ${scene} NAME _long STALL 30 SEEDS 10 LABEL long VECTORS --no-corners)
+      halfspace_cosim(pipeline_${scene}_${config}_${lanes}_long pipeline ${config} ${lanes} ${scene} SEEDS 10 LONG VECTORS --no-corners)
     endforeach()
   endforeach()
 endforeach()

@@ -1,0 +1,15 @@
+# Phong shading: the tops, and its units against the kernels.
+halfspace_tops_test(phong_tops_test phong_tops_test.cpp PhongLow shade/lit_configs.hpp
+                    UNITS phong_setup shade_phong TOPS phong_setup shade_phong)
+halfspace_cosim_file(phong_units phong_low 1)
+halfspace_cosim_file(phong_units phong_low 4)
+halfspace_cosim_file(phong_units phong_high 4)
+halfspace_cosim_file(phong_units phong_low 16)
+function(halfspace_phong_scene config scene)
+  halfspace_cosim(phong_units_${config}_${scene} phong_units ${config} 4 ${scene} SEEDS 2 VECTORS --no-corners --size 128x96)
+endfunction()
+halfspace_phong_scene(phong_low teapot)
+halfspace_phong_scene(phong_high castle)
+halfspace_phong_scene(phong_high polyhedron)
+halfspace_lint(lint_phong UNITS phong_setup shade_phong CONFIGS phong_low phong_high)
+halfspace_faults(faults_phong phong phong_units phong_low UNITS phong_setup shade_phong)
