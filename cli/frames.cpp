@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
-#include "cli/common/sequence_quality.hpp"
+#include "cli/plots/sequence_quality.hpp"
 #include "cli/plots/video.hpp"
 
 namespace halfspace::cli {

@@ -5,8 +5,8 @@
 #include <charconv>
 
 #include "cli/commands.hpp"
-#include "cli/common/sequence_quality.hpp"
 #include "cli/plots/gnuplot.hpp"
+#include "cli/plots/sequence_quality.hpp"
 #include "ref/error.hpp"
 
 namespace halfspace::cli {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/common/sequence_quality.hpp"
+#include "cli/plots/sequence_quality.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // How good frames between key frames are, beside what needs no motion and what finds motion in pictures.
-#ifndef HALFSPACE_CLI_COMMON_SEQUENCE_QUALITY_HPP_
-#define HALFSPACE_CLI_COMMON_SEQUENCE_QUALITY_HPP_
+#ifndef HALFSPACE_CLI_PLOTS_SEQUENCE_QUALITY_HPP_
+#define HALFSPACE_CLI_PLOTS_SEQUENCE_QUALITY_HPP_
 
 #include <array>
 #include <optional>
@@ -34,4 +34,4 @@ void plot_blocks(const SequenceQuality& quality, const std::string& title, const
 
 }  // namespace halfspace::cli
 
-#endif  // HALFSPACE_CLI_COMMON_SEQUENCE_QUALITY_HPP_
+#endif  // HALFSPACE_CLI_PLOTS_SEQUENCE_QUALITY_HPP_

@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "cli/common/numbers.hpp"
-#include "cli/common/sequence_quality.hpp"
+#include "cli/plots/sequence_quality.hpp"
 #include "cli/plots/video.hpp"
 #include "ref/error.hpp"
 

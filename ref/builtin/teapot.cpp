@@ -13,7 +13,7 @@ struct Patch {
   Mirror mirror;
   int points[16];
 };
-#include "ref/teapot_patches.inc"
+#include "ref/builtin/teapot_patches.inc"
 
 constexpr int kQuads = 7;  // each way
 

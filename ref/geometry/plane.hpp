@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A triangle put in order, and the exact plane of an attribute over it.
-#ifndef HALFSPACE_REF_RASTER_PLANE_HPP_
-#define HALFSPACE_REF_RASTER_PLANE_HPP_
+#ifndef HALFSPACE_REF_GEOMETRY_PLANE_HPP_
+#define HALFSPACE_REF_GEOMETRY_PLANE_HPP_
 
 #include <array>
 #include <cstdint>
@@ -89,4 +89,4 @@ struct Plane {
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_RASTER_PLANE_HPP_
+#endif  // HALFSPACE_REF_GEOMETRY_PLANE_HPP_

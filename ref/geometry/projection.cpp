@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ref/geometry/plane.hpp"
 #include "ref/geometry/snap.hpp"
-#include "ref/raster/plane.hpp"
 
 namespace halfspace::ref {
 namespace {

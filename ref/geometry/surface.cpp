@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "ref/geometry/distant_lighting.hpp"
-#include "ref/raster/plane.hpp"
+#include "ref/geometry/plane.hpp"
 
 namespace halfspace::ref {
 namespace {

@@ -9,8 +9,8 @@
 #include <memory>
 
 #include "ref/geometry/geometry.hpp"
+#include "ref/geometry/plane.hpp"
 #include "ref/geometry/snap.hpp"
-#include "ref/raster/plane.hpp"
 
 namespace halfspace::ref {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/raster/drawn_frame.hpp"
+#include "ref/motion/drawn_frame.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Frames as the reference draws them, and key frames made of them.
-#ifndef HALFSPACE_REF_RASTER_DRAWN_FRAME_HPP_
-#define HALFSPACE_REF_RASTER_DRAWN_FRAME_HPP_
+#ifndef HALFSPACE_REF_MOTION_DRAWN_FRAME_HPP_
+#define HALFSPACE_REF_MOTION_DRAWN_FRAME_HPP_
 
 #include <cstdint>
 #include <optional>
@@ -41,4 +41,4 @@ Identities surface_identities(const Scene&);
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_RASTER_DRAWN_FRAME_HPP_
+#endif  // HALFSPACE_REF_MOTION_DRAWN_FRAME_HPP_

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ref/motion/motion_field.hpp"
 
-#include "ref/raster/plane.hpp"
+#include "ref/geometry/plane.hpp"
 #include "ref/raster/raster.hpp"
 
 namespace halfspace::ref {

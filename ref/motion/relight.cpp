@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ref/motion/relight.hpp"
 
-#include "ref/raster/plane.hpp"
+#include "ref/geometry/plane.hpp"
 
 namespace halfspace::ref {
 namespace {

@@ -6,8 +6,8 @@
 #include <memory>
 #include <optional>
 
+#include "ref/motion/drawn_frame.hpp"
 #include "ref/motion/relight.hpp"
-#include "ref/raster/drawn_frame.hpp"
 
 namespace halfspace::ref {
 

@@ -10,9 +10,9 @@
 #include <optional>
 #include <vector>
 
+#include "ref/geometry/plane.hpp"
 #include "ref/geometry/projection.hpp"
 #include "ref/objects/object_buffer.hpp"
-#include "ref/raster/plane.hpp"
 #include "ref/scene/scene.hpp"
 
 namespace halfspace::ref {

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "ref/error.hpp"
+#include "ref/geometry/plane.hpp"
 #include "ref/geometry/snap.hpp"
-#include "ref/raster/plane.hpp"
 
 namespace halfspace::ref {
 namespace {

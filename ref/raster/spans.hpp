@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "ref/raster/plane.hpp"
+#include "ref/geometry/plane.hpp"
 
 namespace halfspace::ref {
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "study/bounds/bounds_measure.hpp"
+#include "study/bounds/lighting_measure.hpp"
 #include "study/proofs/bounds_proved.hpp"
 #include "study/proofs/lighting_bounds.hpp"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "study/bounds/lighting_measure.hpp"
 #include "study/proofs/lighting_bounds.hpp"
 
 namespace halfspace::model {

@@ -5,7 +5,6 @@
 #define HALFSPACE_STUDY_PROOFS_LIGHTING_BOUNDS_HPP_
 
 #include "model/shade/lighting.hpp"
-#include "study/bounds/bounds.hpp"
 #include "study/proofs/bounds_proved.hpp"
 
 namespace halfspace::model {
@@ -26,10 +25,6 @@ struct ExactLight {
 };
 ExactLight exact_light(const LightingFrame& frame, int material, const std::array<int, 3>& normal, int channel,
                        const Config& config);
-
-// The kernels of a configuration with lighting, into its rows of the report: random lights, for each a search of
-// normals for the largest errors.
-void measure_lighting(const Config& config, std::uint64_t seed, int lights, BoundsReport& report);
 
 }  // namespace halfspace::model
 

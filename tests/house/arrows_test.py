@@ -1,62 +1,149 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The arrows go one way: fails on an #include that points against them. Usage: arrows_test.py ROOT"""
+"""The arrows go one way: fails on an #include, and on an instance in the RTL, that points against them. A folder of the root is a floor, a
+folder of a floor a room. It shows first, on a small tree, that it finds wrong ones. Usage: arrows_test.py ROOT"""
 import pathlib
 import re
 import sys
+import tempfile
 
-# What a file of hls/ may include, lowest first. Files of one level do not include each other.
-LEVELS = [["config"], ["low", "middle", "high"], ["fixed_rules"], ["fixed_native", "fixed_library"],
-          ["fixed_systemc", "fixed_ap", "fixed_ac"], ["fixed"], ["formats"], ["records", "stream"],
-          ["buffers", "reciprocal", "reciprocal_sqrt", "reciprocal_lookup", "lanes", "key_records", "object_records"],
-          ["plane", "lighting", "key_filter", "key_cache"],
-          ["triangle_setup", "shade_setup", "raster_pineda", "ztest_index", "ztest_plane", "scan_index", "scan_object", "ztest_merge", "shade_gouraud", "light_vertex",
-           "phong_setup", "shade_phong", "texture_setup", "shade_texture", "motion_setup", "motion_field", "motion_compensate",
-           "visible_select"],
-          ["pipeline"],
-          ["fields"],
-          ["triangle_setup_top", "shade_setup_top", "raster_pineda_top", "ztest_index_top", "ztest_plane_top",
-           "scan_index_top", "scan_object_top", "ztest_merge_top", "shade_gouraud_top", "light_vertex_top", "phong_setup_top", "shade_phong_top", "texture_setup_top",
-           "shade_texture_top", "motion_setup_top", "motion_field_top", "motion_compensate_top",
-           "shade_setup_lit_top", "visible_select_top"]]
-# Which folders a folder may include from.
-FOLDERS = {"hls": {"hls"}, "ref": {"ref"}, "vectors": {"vectors", "ref", "hls"}, "tb": {"tb"},
-           "cli": {"cli", "vectors", "ref"}, "tests": {"tests", "vectors", "ref", "hls"}}
+# Which floors a floor may include from, besides itself. The bench sees vector files and Verilated models alone.
+FLOORS = {"ref": "", "hls": "", "tb": "", "model": "ref hls", "vectors": "model ref hls", "study": "vectors model ref hls",
+          "cli": "study vectors model ref", "tests": "study vectors model ref hls"}
+# The rooms of a floor, lowest first: a room includes from itself and from rooms before it. Rooms with a + between them are one.
+# `.hpp` and `.cpp`: files in no room. What a floor has no order of is not held.
+ROOMS = {"ref": ".hpp scene+builtin geometry raster objects motion",
+         "hls": "numbers formats setup raster ztest shade texture motion objects pipeline top",
+         "model": "formats texture shade motion objects pipeline drivers",
+         "study": "proofs bounds stability trade fit papers",
+         "cli": ".hpp common plots sweep+repro .cpp",
+         "rtl": "common setup raster ztest shade texture motion objects pipeline"}
+# Where units are put together: elsewhere none includes another or has it as an instance.
+COMPOSE = ("pipeline", "top")
+
+INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"')
+INSTANCE = re.compile(r"^\s*(hs_\w+)\s+(?:#\s*\(|u_\w+)")
+
+
+def order(floor):
+    return {room: n for n, rooms in enumerate(ROOMS.get(floor, "").split()) for room in rooms.split("+")}
+
+
+def room_of(path):
+    """Of a path below the root."""
+    return path.parts[1] if len(path.parts) > 2 else path.suffix
+
+
+def room_fault(floor, path, other, units):
+    """Why a file of a floor must not use another of it, or ''."""
+    rooms = order(floor)
+    here, there = room_of(path), room_of(other)
+    if rooms:
+        for room in (here, there):
+            if room not in rooms:
+                return f"the room {floor}/{room} has no place in the order: add it to tests/house/arrows_test.py"
+        if rooms[here] < rooms[there]:
+            return f"{floor}/{here} comes before {floor}/{there}"
+    both = [p.stem.removeprefix("hs_") for p in (path, other)]
+    if floor in ("hls", "rtl") and here not in COMPOSE and both[0] != both[1] and set(both) <= units:
+        return "a unit must not know another"
+    return ""
+
+
+def include_faults(root, units):
+    """Faults, and at the end the number of arrows that were looked at."""
+    looked = 0
+    for floor, below in FLOORS.items():
+        for path in sorted((root / floor).rglob("*")):
+            if path.suffix not in (".hpp", ".cpp", ".h"):
+                continue
+            path = path.relative_to(root)
+            for number, line in enumerate((root / path).read_text().splitlines(), 1):
+                match = INCLUDE.match(line)
+                if not match or ("/" not in match.group(1) and not (root / path.parent / match.group(1)).exists()):
+                    continue  # the latter is generated
+                looked += 1
+                other = pathlib.PurePath(match.group(1))
+                why = ""
+                if not (root / other).exists():
+                    why = "there is no such file: name it from the root"
+                elif other.parts[0] == floor:
+                    why = room_fault(floor, path, other, units)
+                elif other.parts[0] not in below.split():
+                    why = f"{floor}/ knows " + (f"{', '.join(below.split())} alone" if below else "no other floor")
+                if why:
+                    yield f"{path}:{number}: must not include {other}: {why}"
+    yield looked
+
+
+def instance_faults(root, units):
+    modules = {path.stem: path.relative_to(root) for path in sorted(root.glob("rtl/*/hs_*.sv"))}
+    looked = 0
+    for path in modules.values():
+        for number, line in enumerate((root / path).read_text().splitlines(), 1):
+            match = INSTANCE.match(line)
+            if match and (other := modules.get(match.group(1))):
+                looked += 1
+                if why := room_fault("rtl", path, other, units):
+                    yield f"{path}:{number}: must not have {other.stem} as an instance: {why}"
+    yield looked
+
+
+def unit_faults(root, names):
+    """What of a unit is not where hls/units.txt has it."""
+    for name in names:
+        room, unit = name.split("/")
+        for path in (f"hls/{room}/{unit}.hpp", f"rtl/{room}/hs_{unit}.sv"):
+            if not (root / path).exists():
+                yield f"hls/units.txt: {name}, but there is no {path}"
 
 
 def faults(root):
-    level = {stem: n for n, stems in enumerate(LEVELS) for stem in stems}
-    checked = 0
-    for folder, allowed in FOLDERS.items():
-        for path in sorted((root / folder).rglob("*")):
-            if path.suffix not in (".hpp", ".cpp", ".h"):
-                continue
-            for number, line in enumerate(path.read_text().splitlines(), 1):
-                match = re.match(r'\s*#\s*include\s+"([^"]+)"', line)
-                if not match:
-                    continue
-                checked += 1
-                target = match.group(1)
-                here = f"{path.relative_to(root)}:{number}"
-                other = (path.parent / target).resolve()
-                top = other.relative_to(root.resolve()).parts[0] if other.exists() else target.split("/")[0]
-                if "/" not in target and not other.exists():
-                    continue  # generated
-                if top not in allowed:
-                    yield f"{here}: {folder}/ must not include {target}"
-                if folder == "hls" and top == "hls":
-                    a, b = path.stem, pathlib.PurePath(target).stem
-                    if a not in level or b not in level:
-                        yield f"{here}: {a} or {b} has no place in the order: add it to tests/house/arrows_test.py"
-                    elif level[b] >= level[a]:
-                        yield f"{here}: {a} must not include {b}"
-    if checked < 50:
-        yield f"only {checked} includes were found: is {root} the project?"
+    names = [line for line in (root / "hls/units.txt").read_text().split("\n") if line and line[0] != "#"]
+    units = {name.split("/")[1] for name in names}
+    *found, includes = include_faults(root, units)
+    *more, instances = instance_faults(root, units)
+    return found + more + list(unit_faults(root, names)), includes, instances
+
+
+# A wrong arrow each, and what has to be said of it.
+WRONG = {"ref/scene/a.hpp": ('#include "hls/numbers/n.hpp"', "ref/ knows no other floor"),
+         "hls/numbers/b.hpp": ('#include "hls/shade/s.hpp"', "hls/numbers comes before hls/shade"),
+         "hls/shade/c.hpp": ('#include "hls/attic/t.hpp"', "hls/attic has no place"),
+         "hls/shade/u.hpp": ('#include "hls/ztest/v.hpp"', "a unit must not know another"),
+         "tb/d.cpp": ('#include "model/formats/m.hpp"', "tb/ knows no other floor"),
+         "cli/common/e.cpp": ('#include "hls/numbers/n.hpp"', "cli/ knows study, vectors, model, ref alone"),
+         "model/formats/f.cpp": ('#include "model/pipeline/gone.hpp"', "there is no such file"),
+         "rtl/ztest/hs_g.sv": ("  hs_s u_s (", "rtl/ztest comes before rtl/shade"),
+         "rtl/shade/hs_u.sv": ("  hs_v #(", "a unit must not know another")}
+RIGHT = {"hls/units.txt": "shade/u\nztest/v", "hls/numbers/n.hpp": "", "hls/attic/t.hpp": "", "rtl/shade/hs_s.sv": "", "model/formats/m.hpp": "",
+         "hls/shade/s.hpp": '#include "hls/numbers/n.hpp"', "hls/ztest/v.hpp": "", "hls/pipeline/p.hpp": '#include "hls/shade/u.hpp"',
+         "rtl/ztest/hs_v.sv": "", "rtl/pipeline/hs_p.sv": "  hs_u u_u (", "model/formats/r.hpp": '#include "hls/numbers/n.hpp"'}
+
+
+def self_test():
+    """What is not found, or found too much, in a small tree."""
+    with tempfile.TemporaryDirectory() as folder:
+        root = pathlib.Path(folder)
+        for name, text in {**RIGHT, **{name: text for name, (text, _) in WRONG.items()}}.items():
+            (root / name).parent.mkdir(parents=True, exist_ok=True)
+            (root / name).write_text(text + "\n")
+        found, _, _ = faults(root)
+    for name, (_, says) in WRONG.items():
+        if not any(fault.startswith(f"{name}:1:") and says in fault for fault in found):
+            yield f"self-test: {name} is not found to be wrong"
+    for fault in found:
+        if fault.split(":")[0] not in WRONG:
+            yield f"self-test: nothing is wrong with {fault}"
 
 
 def main():
-    found = list(faults(pathlib.Path(sys.argv[1])))
-    print("\n".join(found) or "arrows: all includes point down")
+    root = pathlib.Path(sys.argv[1]).resolve()
+    found, includes, instances = faults(root)
+    found += self_test()
+    if includes < 500 or instances < 50:
+        found.append(f"only {includes} includes and {instances} instances were found: is {root} the project?")
+    print("\n".join(found) or f"arrows: {includes} includes and {instances} instances point down; {len(WRONG)} wrong ones were found")
     return 1 if found else 0
 
 

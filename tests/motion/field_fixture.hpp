@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "model/pipeline/engine.hpp"
+#include "ref/geometry/plane.hpp"
 #include "ref/motion/motion_field.hpp"
-#include "ref/raster/plane.hpp"
 #include "study/proofs/motion_bounds.hpp"
 #include "tests/config_path.hpp"
 

@@ -13,6 +13,7 @@
 #include "ref/geometry/viewpoint.hpp"
 #include "ref/scene/scene.hpp"
 #include "study/bounds/bounds_exact.hpp"
+#include "study/bounds/lighting_measure.hpp"
 #include "study/proofs/lighting_bounds.hpp"
 #include "tests/config_path.hpp"
 #include "tests/shade/lit_configs.hpp"

@@ -9,7 +9,7 @@
 #include <glm/glm.hpp>
 
 #include "model/texture/texture.hpp"
-#include "ref/raster/plane.hpp"
+#include "ref/geometry/plane.hpp"
 #include "study/proofs/texture_bounds.hpp"
 
 namespace halfspace::tests {

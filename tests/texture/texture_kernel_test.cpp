@@ -9,7 +9,7 @@
 #include "model/formats/format_fields.hpp"
 #include "model/formats/runtime_formats.hpp"
 #include "ref/error.hpp"
-#include "ref/raster/plane.hpp"
+#include "ref/geometry/plane.hpp"
 #include "study/proofs/texture_bounds.hpp"
 #include "tests/config_path.hpp"
 #include "tests/texture/texture_kernels.hpp"
