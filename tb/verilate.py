@@ -4,7 +4,8 @@
 
 Verilator names its files by the hash of what is in them. This runs it with the prefix Vmodel and leaves in --out:
   Vmodel.h   the class
-  ports.inc  HS_PORT(name, bits, is_input) for every port, with the width in bits, which sizeof does not tell, and
+  ports.inc  HS_PORT(name, bits, is_input) for every port, with the width in bits, which sizeof does not tell,
+             HS_WATCH(stream, path, bits) for every hs_stream inside, path being its C++ name without its wires, and
              HS_CONSTANT(name, value) for every number of the package
   fast.cpp   includes what runs every cycle
   slow.cpp   includes constructors and reset
@@ -18,6 +19,9 @@ import sys
 
 CONSTANT = re.compile(r"^\s*localparam\s+int(?:\s+unsigned)?\s+(\w+)\s*=\s*(\d+);", re.MULTILINE)
 PORT = re.compile(r"^\s*VL_(IN|OUT)(?:8|16|64|W)?\(&?(\w+),(\d+),(\d+)")
+# The instance u_stream_<name>, inside of generate blocks, too, which a netlist has in its name: `.` is 02e there.
+WATCH = re.compile(r"^\s*[\w<>]+/\*(\d+):0\*/ (\w*u_stream_(\w+?))__DOT__word_i;$", re.MULTILINE)
+HERE = pathlib.Path(__file__).resolve().parent
 
 
 def verilate(args):
@@ -25,7 +29,8 @@ def verilate(args):
     out.mkdir(parents=True, exist_ok=True)
     for old in out.glob("Vmodel*"):
         old.unlink()
-    command = [args.verilator, "--cc", "--prefix", "Vmodel", "--Mdir", str(out), "--top-module", args.top, *args.flag]
+    command = [args.verilator, "--cc", "--prefix", "Vmodel", "--Mdir", str(out), "--top-module", args.top, *args.flag,
+               str(HERE / "watch.vlt")]
     if not args.netlist:  # which has no parameters any more
         command += [f"-GLanesX={args.lanes_x}", f"-GLanesY={args.lanes_y}", args.package]
     command += args.sources
@@ -42,8 +47,13 @@ def write_sources(out, package):
             ports.append(f"HS_PORT({name}, {int(msb) - int(lsb) + 1}, {int(direction == 'IN')})\n")
     if not ports:
         return f"{out}/Vmodel.h: no port found; this Verilator prints them in another way"
+    watches = {}
+    for msb, path, stream in WATCH.findall((out / "Vmodel___024root.h").read_text()):
+        if stream in watches:
+            return f"two instances of hs_stream are named u_stream_{stream}; a stream has one name of its own"
+        watches[stream] = f"HS_WATCH({stream}, {path}, {int(msb) + 1})\n"
     constants = [f"HS_CONSTANT({name}, {value})\n" for name, value in CONSTANT.findall(package.read_text())]
-    (out / "ports.inc").write_text("".join(ports + constants))
+    (out / "ports.inc").write_text("".join([*ports, *watches.values(), *constants]))
     files = sorted(path.name for path in out.glob("Vmodel*.cpp"))
     is_slow = [name.endswith("__Slow.cpp") or name == "Vmodel__Syms.cpp" for name in files]
     for target, slow in (("fast.cpp", False), ("slow.cpp", True)):

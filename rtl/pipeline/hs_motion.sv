@@ -26,6 +26,7 @@ module hs_motion #(
   input  logic                        rst_ni,
 
   input  logic                        planes_bank_i,  // of TdbS, to store to
+  output logic                        planes_last_o,  // all planes of a frame are stored
 
   // From geometry
   input  logic                        motion_vectors_valid_i,
@@ -45,19 +46,15 @@ module hs_motion #(
   // To the motion buffer
   output logic                        motion_valid_o,
   input  logic                        motion_ready_i,
-  output logic [MotionBits-1:0]       motion_o,
-
-  // To watch
-  output logic                        motion_planes_valid_o,
-  output logic                        motion_planes_ready_o,
-  output logic [PlanesBits-1:0]       motion_planes_o
+  output logic [MotionBits-1:0]       motion_o
 );
   localparam int unsigned EntryBits = $clog2(hs_formats_pkg::Triangles);
   localparam int unsigned EntryPlanesBits = PlanesBits - 2 - IndexBits;
 
   // --- attributes ─► planes ---
-  logic setup_valid, setup_ready;
+  logic setup_valid, setup_ready, sent_planes_valid, sent_planes_ready, planes_valid;
   hs_formats_pkg::attributes_t setup_attributes;
+  logic [PlanesBits-1:0] sent_planes, planes;
 
   hs_fifo #(
     .Width($bits(attributes_i)),
@@ -84,19 +81,30 @@ module hs_motion #(
     .motion_vectors_valid_i(motion_vectors_valid_i),
     .motion_vectors_ready_o(motion_vectors_ready_o),
     .motion_vectors_i      (motion_vectors_i),
-    .motion_planes_valid_o (motion_planes_valid_o),
-    .motion_planes_ready_i (motion_planes_ready_o),
-    .motion_planes_o       (motion_planes_o)
+    .motion_planes_valid_o (sent_planes_valid),
+    .motion_planes_ready_i (sent_planes_ready),
+    .motion_planes_o       (sent_planes)
+  );
+
+  hs_stream #(
+    .Width(PlanesBits)
+  ) u_stream_motion_planes (
+    .valid_i(sent_planes_valid),
+    .ready_o(sent_planes_ready),
+    .word_i (sent_planes),
+    .valid_o(planes_valid),
+    .ready_i(1'b1),
+    .word_o (planes)
   );
 
   // --- TdbS ---
-  logic read_en, read_bank, store_empty, unused_index;
+  logic read_en, read_bank, store_last, store_empty, unused_index;
   logic [EntryBits-1:0] read_entry, store_entry;
   logic [IndexBits-1:0] store_index;
   logic [EntryPlanesBits-1:0] read_planes;
 
-  assign motion_planes_ready_o = 1'b1;
-  assign {store_empty, store_index} = motion_planes_o[EntryPlanesBits +: 1+IndexBits];
+  assign {store_last, store_empty, store_index} = planes[PlanesBits-1 -: 2+IndexBits];
+  assign planes_last_o = planes_valid && store_last;
   assign store_entry = EntryBits'(store_index) - EntryBits'(1);
   assign unused_index = ^store_index;  // a power of two of entries has a bit less
 
@@ -108,9 +116,9 @@ module hs_motion #(
     .read_en_i      (read_en),
     .read_address_i ({read_bank, read_entry}),
     .read_data_o    (read_planes),
-    .write_en_i     (motion_planes_valid_o && !store_empty),
+    .write_en_i     (planes_valid && !store_empty),
     .write_address_i({planes_bank_i, store_entry}),
-    .write_data_i   (motion_planes_o[EntryPlanesBits-1:0])
+    .write_data_i   (planes[EntryPlanesBits-1:0])
   );
 
   // --- scan ─► motion ---

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Binds the class that Verilator printed to Model. Compiled once a model; ports.inc is printed by verilate.py:
-// HS_PORT(name, bits, is_input) a port, HS_CONSTANT(name, value) a number of the package.
+// HS_PORT(name, bits, is_input) a port, HS_WATCH(stream, path, bits) a stream inside (watch.vlt), HS_CONSTANT(name,
+// value) a number of the package.
 #include <verilated.h>
 
 #include "Vmodel.h"
+#include "Vmodel___024root.h"
 #include "tb/harness/model.hpp"
 
 double sc_time_stamp() { return 0; }
@@ -18,9 +20,13 @@ class Binding final : public Model {
     context_.randSeed(int(seed & 0x7fffffff) | 1);
     top_ = std::make_unique<Vmodel>(&context_);
 #define HS_PORT(name, bits, is_input) add_port(#name, &top_->name, int(sizeof top_->name), bits, is_input);
+#define HS_WATCH(stream, path, bits)                                                         \
+  add_watch(#stream, &top_->rootp->path##__DOT__valid_i, &top_->rootp->path##__DOT__ready_i, \
+            &top_->rootp->path##__DOT__word_i, int(sizeof top_->rootp->path##__DOT__word_i), bits);
 #define HS_CONSTANT(name, value) add_constant(#name, value);
 #include "ports.inc"
 #undef HS_CONSTANT
+#undef HS_WATCH
 #undef HS_PORT
   }
   ~Binding() override { top_->final(); }

@@ -15,7 +15,8 @@ const Port* Model::find(const std::string& name) const {
 const Port& Model::need(const std::string& name, int bits) const {
   const Port* const port = find(name);
   if (port == nullptr) {
-    throw Error(title() + ": the model has no port " + name + "; bring its ports and docs/architecture.md together");
+    throw Error(title() + ": the model has no port " + name +
+                ", and no hs_stream inside has this name; bring the RTL and docs/architecture.md together");
   }
   if (bits != 0 && port->bits != bits) {
     throw Error(title() + ": port " + name + " has " + std::to_string(port->bits) + " bits where the vectors have " +
@@ -25,9 +26,15 @@ const Port& Model::need(const std::string& name, int bits) const {
   return *port;
 }
 
-void Model::add_port(const char* name, void* data, int bytes, int bits, bool input) {
+void Model::add_port(const std::string& name, void* data, int bytes, int bits, bool input) {
   if (input) std::memset(data, 0, std::size_t(bytes));
   ports_[name] = Port{name, data, bytes, bits, input};
+}
+
+void Model::add_watch(const std::string& stream, void* valid, void* ready, void* word, int bytes, int bits) {
+  add_port(stream + "_valid_o", valid, 1, 1, false);
+  add_port(stream + "_ready_o", ready, 1, 1, false);
+  add_port(stream + "_o", word, bytes, bits, false);
 }
 
 int Model::constant(const std::string& name) const {

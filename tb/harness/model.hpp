@@ -47,7 +47,10 @@ class Model {
       : top_(std::move(top)), config_(std::move(config)), lanes_x_(lanes_x), lanes_y_(lanes_y) {}
 
   // Inputs start at 0.
-  void add_port(const char* name, void* data, int bytes, int bits, bool input);
+  void add_port(const std::string& name, void* data, int bytes, int bits, bool input);
+  // The wires of a stream inside stand beside the ports, named as those of a stream that leaves: <stream>_o,
+  // <stream>_valid_o, and <stream>_ready_o, which is watched.
+  void add_watch(const std::string& stream, void* valid, void* ready, void* word, int bytes, int bits);
   void add_constant(const char* name, int value) { constants_[name] = value; }
 
  private:
