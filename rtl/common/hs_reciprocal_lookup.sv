@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The reciprocal of a texture coordinate (kernel: hls/texture/reciprocal_lookup.hpp): normalization by bits,
-// a line from a table, one rounding.
+// The reciprocal of a texture coordinate (kernel: hls/texture/reciprocal_lookup.hpp): normalization
+// by bits, a line from a table, one rounding.
 //
 // Interval 1; shift_o 1 and inverse_o 4 cycles after value_i, of those in which en_i is 1. One
 // multiplier of InverseSlopeBits × InverseOffsetBits, and a table of 256 words of 36 bits.

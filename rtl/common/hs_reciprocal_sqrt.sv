@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The reciprocal of a length from its square (kernel: hls/shade/reciprocal_sqrt.hpp): normalization by
-// pairs of bits, a line from a table, one rounding.
+// The reciprocal of a length from its square (kernel: hls/shade/reciprocal_sqrt.hpp): normalization
+// by pairs of bits, a line from a table, one rounding.
 //
 // Interval 1; shift_o 1 and root_o 4 cycles after length_i, of those in which en_i is 1. One
 // multiplier of RootSlopeBits × RootOffsetBits, and a table of 256 words of 32 bits.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stamps of scan as pixels, one after the other, for shaders that take them so: the covered lanes
-// of a stamp in order, or, of a stamp of background, one pixel that is not covered.
+// The stamps of scan as pixels, one after the other, for shaders that take them so: the covered
+// lanes of a stamp in order, or, of a stamp of background, one pixel that is not covered.
 //
-// Interval: a pixel a cycle. Latency: 2 cycles to the first pixel of a stamp. Stall: all stages wait
-// while en_i is 0. The outputs are registers, for a read of the triangle's entry of TdbS, index − 1,
-// in one of its two banks, which the frames use in turn.
+// Interval: a pixel a cycle. Latency: 2 cycles to the first pixel of a stamp. Stall: all stages
+// wait while en_i is 0. The outputs are registers, for a read of the triangle's entry of TdbS,
+// index − 1, in one of its two banks, which the frames use in turn.
 module hs_scan_pixels #(
   parameter int unsigned LanesX,
   parameter int unsigned LanesY,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A weighted sum along an axis, exact (kernel: filtered_channel in hls/motion/key_filter.hpp). The weights
-// sum to 1, so that the value before the place, B, needs no product: 2^w·B + Σ weight·(value − B).
+// A weighted sum along an axis, exact (kernel: filtered_channel in hls/motion/key_filter.hpp). The
+// weights sum to 1, so that the value before the place, B, needs no product: 2^w·B + Σ
+// weight·(value − B).
 //
 // Interval 1, latency 3, of cycles in which en_i is 1. One multiplier for two values, three for
 // four.

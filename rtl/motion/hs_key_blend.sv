@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // One channel of both key frames: what the colour in between differs by added to each, blended,
-// rounded once, half up, and clamped (kernel: key_colour and blended in hls/motion/motion_compensate.hpp).
+// rounded once, half up, and clamped (kernel: key_colour and blended in
+// hls/motion/motion_compensate.hpp).
 //
 // Interval 1, latency 4, of cycles in which en_i is 1. One multiplier.
 module hs_key_blend #(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cache of a key frame (kernel: hls/motion/key_cache.hpp): 2 × 2 tiles of 8 × 8 pixels, direct-mapped
-// by the parity of a tile's column and row, in Side × Side banks.
+// The cache of a key frame (kernel: hls/motion/key_cache.hpp): 2 × 2 tiles of 8 × 8 pixels,
+// direct-mapped by the parity of a tile's column and row, in Side × Side banks.
 //
 // An area of at most two columns and two rows of tiles hits in the cycle in which it is offered, or
 // not: then it has to stay until it does. What it lacks is requested tile by tile, in the order of

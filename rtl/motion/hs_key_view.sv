@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What one key frame makes of a pixel in between (kernel: key_colour in hls/motion/motion_compensate.hpp).
+// What one key frame makes of a pixel in between (kernel: key_colour in
+// hls/motion/motion_compensate.hpp).
 //
 // Latency: a word taken in a cycle of step_i is checked two such cycles later. In the cycle of
 // read_en_i, which comes with the last of them, it goes on; shown_o is 3, and its sums are

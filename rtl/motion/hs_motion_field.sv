@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The motion field at scan-out (kernel: hls/motion/motion_field.hpp): a word a covered pixel, in the order of
-// scan, stamps in order and lanes in order. A frame whose last stamp covers nothing ends with a word
-// of face 0.
+// The motion field at scan-out (kernel: hls/motion/motion_field.hpp): a word a covered pixel, in
+// the order of scan, stamps in order and lanes in order. A frame whose last stamp covers nothing
+// ends with a word of face 0.
 //
 // Interval: a cycle a covered lane; one for a stamp of background. Latency from a scan word to the
 // word of its first pixel: 12 cycles, with perspective 17. Stages: pick | read | data | five of the
@@ -9,8 +9,8 @@
 // hs_motion_vector.
 // Stall: everything stops while a word is not taken.
 // TdbS: entry index − 1, bits as in motion_planes_t from face on; a read takes one cycle, its word
-// stays until the next read. Two banks, used in turn by the frames, the first one by the first frame.
-// A configuration without motion has no such unit: hs_formats_pkg has not its numbers then.
+// stays until the next read. Two banks, used in turn by the frames, the first one by the first
+// frame. A configuration without motion has no such unit: hs_formats_pkg has not its numbers then.
 module hs_motion_field #(
   parameter int unsigned LanesX,
   parameter int unsigned LanesY,

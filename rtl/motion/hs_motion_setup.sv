@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The planes of a triangle's places in the key frames, for TdbS, after hls/motion/motion_setup.hpp: of each
-// key s, t, and with perspective q, and where colours are compared, of three differences, each group
-// through an hs_channel_planes of its own, side by side.
+// The planes of a triangle's places in the key frames, for TdbS, after hls/motion/motion_setup.hpp:
+// of each key s, t, and with perspective q, and where colours are compared, of three differences,
+// each group through an hs_channel_planes of its own, side by side.
 //
-// Interval and latency are those of hs_channel_planes, of two channels, or of three with perspective
-// or differences. Attributes and vectors come in one order and are taken together, when the last of
-// the groups has read them; empty attributes have no vectors. Planes leave together. Fields of an
-// empty record are 0.
+// Interval and latency are those of hs_channel_planes, of two channels, or of three with
+// perspective or differences. Attributes and vectors come in one order and are taken together, when
+// the last of the groups has read them; empty attributes have no vectors. Planes leave together.
+// Fields of an empty record are 0.
 // A configuration without motion has no such unit: hs_formats_pkg has not its numbers then.
 module hs_motion_setup #(
   parameter int unsigned FaceBits,
@@ -45,7 +45,8 @@ module hs_motion_setup #(
   localparam int unsigned PlacePlanesBits = 3 * Channels * PlaneBits;
   localparam int unsigned ColourPlanesBits = Relight != 0 ? 9 * DifferencePlaneBits : 0;
   // {is it there, origin, extent}, which go through.
-  localparam int unsigned HeadBits = 1 + 2 * hs_formats_pkg::OriginBits + hs_formats_pkg::ExtentBits;
+  localparam int unsigned HeadBits =
+      1 + 2 * hs_formats_pkg::OriginBits + hs_formats_pkg::ExtentBits;
   localparam int unsigned KeyBits = HeadBits + PlaceBits + ColourBits;
   localparam int unsigned KeyPlanesBits = HeadBits + PlacePlanesBits + ColourPlanesBits;
 
@@ -96,7 +97,8 @@ module hs_motion_setup #(
 
     always_ff @(posedge clk_i) begin
       if (take) begin
-        head_q <= attributes_i.empty ? '0 : motion_vectors_i[Given+PlaceBits+ColourBits +: HeadBits];
+        head_q <= attributes_i.empty
+                  ? '0 : motion_vectors_i[Given+PlaceBits+ColourBits +: HeadBits];
       end
     end
     assign motion_planes_o[Planes+PlacePlanesBits+ColourPlanesBits +: HeadBits] = head_q;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The vector of a pixel to one key frame (kernel: key_vector in hls/motion/motion_field.hpp), from s, t, q of
-// its point there.
+// The vector of a pixel to one key frame (kernel: key_vector in hls/motion/motion_field.hpp), from
+// s, t, q of its point there.
 //
 // Interval 1, latency 3 cycles, with perspective 8, of those in which en_i is 1. Stages: with
-// perspective four of the reciprocal, in the first three of which s and t take its octave, and one of
-// the products | three of the way. Multipliers: with perspective 1 and 2.
+// perspective four of the reciprocal, in the first three of which s and t take its octave, and one
+// of the products | three of the way. Multipliers: with perspective 1 and 2.
 module hs_motion_vector #(
   parameter int unsigned CoordinateBits,
   localparam int unsigned Perspective = hs_formats_pkg::Perspective,

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // From a pixel's centre to the place of the same point in a key frame, along one axis, in units of
-// 2^−VectorFraction pixels (kernel: place_offset, way_to and vector_fits in hls/motion/motion_field.hpp):
-// scaled · 2^(extent − Point) pixels from the origin, rounded half up.
+// 2^−VectorFraction pixels (kernel: place_offset, way_to and vector_fits in
+// hls/motion/motion_field.hpp): scaled · 2^(extent − Point) pixels from the origin, rounded half
+// up.
 //
 // Interval 1, latency 3 cycles, of those in which en_i is 1.
 module hs_motion_way #(
@@ -28,7 +29,8 @@ module hs_motion_way #(
   localparam int unsigned TwiceBits = ScaledBits + Left - Dropped;
   // The offset is below 2^(TwiceBits − 1), and origin less pixel has a bit more than either.
   localparam int unsigned WholeBits = OriginBits + 1;
-  localparam int unsigned SumBits = TwiceBits > WholeBits + Fraction ? TwiceBits : WholeBits + Fraction;
+  localparam int unsigned PlaceBits = WholeBits + Fraction;
+  localparam int unsigned SumBits = TwiceBits > PlaceBits ? TwiceBits : PlaceBits;
   localparam int unsigned WayBits = (SumBits > VectorBits ? SumBits : VectorBits) + 1;
 
   logic [ScaledBits+Left-1:0] widened;

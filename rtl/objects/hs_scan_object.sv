@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Depth and object of each pixel at scan-out (kernel: hls/objects/scan_object.hpp): the depth is what the
-// Z-buffer holds, the object that of the pixel's triangle in the object table. A pixel of the
-// background has the largest depth and object 0.
+// Depth and object of each pixel at scan-out (kernel: hls/objects/scan_object.hpp): the depth is
+// what the Z-buffer holds, the object that of the pixel's triangle in the object table. A pixel of
+// the background has the largest depth and object 0.
 //
 // Interval: a cycle for each different triangle in a stamp, one for a stamp of pure background, as
 // hs_shade_gouraud, and no shader takes less. Latency: 4 cycles from a scan word with one triangle

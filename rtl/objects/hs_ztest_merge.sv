@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Z-test of two buffers against each other, stamp by stamp (kernel: hls/objects/ztest_merge.hpp): what
-// is stored, less the objects of a range, and what is drawn, whichever is nearer; at equal depth
-// the smaller number of an object. It finds the pixels of the range and the box of their stamps.
+// The Z-test of two buffers against each other, stamp by stamp (kernel:
+// hls/objects/ztest_merge.hpp): what is stored, less the objects of a range, and what is drawn,
+// whichever is nearer; at equal depth the smaller number of an object. It finds the pixels of the
+// range and the box of their stamps.
 //
 // A run is a word of `merge`, then words of `stored` up to the one with last. If it merges, each
 // waits for a word of `entry`; if it sends, each is followed by one of `merged`. At its end there

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bounding box of a triangle, cut to the frame, after pixel_range() of hls/setup/triangle_setup.hpp:
-// the pixels whose centres lie in it, and where to look first in its top row: below vertex 0, which
-// is the topmost.
+// The bounding box of a triangle, cut to the frame, after pixel_range() of
+// hls/setup/triangle_setup.hpp: the pixels whose centres lie in it, and where to look first in its
+// top row: below vertex 0, which is the topmost.
 //
 // The box of the vertices of one cycle is there in the next, where x_start_o reads x0_i again.
 // Outside: the box holds no pixel, and the positions mean nothing. No stall.

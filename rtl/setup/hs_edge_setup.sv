@@ -42,7 +42,8 @@ module hs_edge_setup #(
   output hs_formats_pkg::area_t       area_o,
 
   // To hs_triangle_setup: the record of the edges, and what the planes need: vertex 0, the way to
-  // the others, the way from the start to vertex 0, depths, order and colours of the ordered vertices
+  // the others, the way from the start to vertex 0, depths, order and colours of the ordered
+  // vertices
   output logic                        edge_valid_o,
   input  logic                        edge_ready_i,
   output hs_formats_pkg::setup_t      setup_o,
@@ -55,7 +56,8 @@ module hs_edge_setup #(
   output hs_formats_pkg::delta_t      x_o,
   output hs_formats_pkg::delta_t      y_o,
   output logic [DepthsBits-1:0]       depths_o,  // {0, 1, 2}; without depth a 0
-  output logic [ShadeBits-1:0]        shade_o  // {first, turned, colours}, what attributes_t has of them
+  // {first, turned, colours}, what attributes_t has of them
+  output logic [ShadeBits-1:0]        shade_o
 );
   localparam int unsigned DeltaBits = hs_formats_pkg::DeltaBits;
   localparam int unsigned EdgeBits = hs_formats_pkg::EdgeBits;
@@ -251,8 +253,9 @@ module hs_edge_setup #(
     assign depths = '0;
   end
   if (ColourBits != 0 && Gouraud != 0) begin : gen_gouraud
-    assign shade[0 +: ColourBits] = {ordered.r0, ordered.r1, ordered.r2, ordered.g0, ordered.g1, ordered.g2,
-                      ordered.b0, ordered.b1, ordered.b2};
+    assign shade[0 +: ColourBits] = {ordered.r0, ordered.r1, ordered.r2,
+                                     ordered.g0, ordered.g1, ordered.g2,
+                                     ordered.b0, ordered.b1, ordered.b2};
   end else if (ColourBits != 0) begin : gen_flat
     assign shade[0 +: ColourBits] = {ordered.r, ordered.g, ordered.b};
   end

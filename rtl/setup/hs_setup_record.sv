@@ -5,7 +5,8 @@
 // The record waits in a register, so that the next triangle's edges and division follow. It is
 // taken when the division is done, or at once if empty. Fork: setup and attributes each stay until
 // taken, and the next record waits for both; attributes come not at all for an empty triangle,
-// unless it is the last, or all are asked for (hs_visible_select). Without depth the setup is offered with the attributes.
+// unless it is the last, or all are asked for (hs_visible_select). Without depth the setup is
+// offered with the attributes.
 module hs_setup_record #(
   parameter int unsigned Fraction,  // r, of the reciprocal
   localparam int unsigned HasDepth = hs_formats_pkg::HasDepth,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The colour planes of a triangle, for TdbS, after hls/setup/shade_setup.hpp: red, green and blue through
-// hs_channel_planes.
+// The colour planes of a triangle, for TdbS, after hls/setup/shade_setup.hpp: red, green and blue
+// through hs_channel_planes.
 //
 // Interval: 24 cycles in low and 30 in middle and high; 3 for an empty record. Latency, ready and
 // stalls are those of hs_channel_planes. Fields of an empty record are 0. Flat colours go through:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangle setup, after hls/setup/triangle_setup.hpp: edge functions, bounding box, the reciprocal of the
-// area and the depth plane, in three units that work on three triangles at once:
+// Triangle setup, after hls/setup/triangle_setup.hpp: edge functions, bounding box, the reciprocal
+// of the area and the depth plane, in three units that work on three triangles at once:
 //
 //   triangle ─► hs_edge_setup ─┬── D ──► hs_reciprocal ─► record ─┬─► hs_plane_setup ─► setup
 //                              └────────────────────────────┘     └──────────────► attributes
@@ -8,11 +8,12 @@
 // hs_setup_record holds the latter three. Without a plane there is no division: the edges are the
 // setup, and wait where they are until both streams have taken them.
 //
-// Interval: SetupInterval cycles, see setup_interval() in hls/formats/config.hpp, mostly those of the
-// division; 3 for an empty triangle, 7 if its box is not empty. Latency: at most 45 cycles more. A
-// triangle is taken after it was looked at: ready follows valid. Fork: setup and attributes each
-// stay until taken, and the next record waits for both. Attributes come when the division is done,
-// and not at all for an empty triangle, unless it is the last or all are asked for (hs_visible_select). Fields of an empty record are 0.
+// Interval: SetupInterval cycles, see setup_interval() in hls/formats/config.hpp, mostly those of
+// the division; 3 for an empty triangle, 7 if its box is not empty. Latency: at most 45 cycles
+// more. A triangle is taken after it was looked at: ready follows valid. Fork: setup and attributes
+// each stay until taken, and the next record waits for both. Attributes come when the division is
+// done, and not at all for an empty triangle, unless it is the last or all are asked for
+// (hs_visible_select). Fields of an empty record are 0.
 // LanesX and LanesY are powers of two.
 module hs_triangle_setup #(
   parameter int unsigned LanesX = 1,
@@ -122,7 +123,8 @@ module hs_triangle_setup #(
     assign setup_valid_o = edge_valid && !setup_sent_q;
     assign setup_o = edge_setup;
     assign attributes_valid_o = edge_valid && !attributes_sent_q
-                                && (!edge_setup.empty || edge_setup.last || hs_formats_pkg::Deferred != 0);
+                                && (!edge_setup.empty || edge_setup.last
+                                    || hs_formats_pkg::Deferred != 0);
     assign attributes_o.last = edge_setup.last;
     assign attributes_o.empty = edge_setup.empty;
     assign attributes_o.index = edge_setup.index;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A triangle with its vertices in order, after order_vertices() of hls/setup/triangle_setup.hpp: vertex 0
-// is the topmost, of these the leftmost; 1 and 2 follow as they came, or, with swap_i, the other
-// way around. Depths and colours of vertices go with them; `last`, `index`, an object and a flat
-// colour go through.
+// A triangle with its vertices in order, after order_vertices() of hls/setup/triangle_setup.hpp:
+// vertex 0 is the topmost, of these the leftmost; 1 and 2 follow as they came, or, with swap_i, the
+// other way around. Depths and colours of vertices go with them; `last`, `index`, an object and a
+// flat colour go through.
 //
 // look_i finds vertex 0 of the triangle of that cycle; ordered_o is right from the next one on, as
 // long as the triangle stands. No stall.
@@ -19,7 +19,8 @@ module hs_vertex_order (
   // A vertex: position, depth, colours, where it has any.
   localparam int unsigned DepthBits = hs_formats_pkg::DepthBits;
   localparam int unsigned Colours = hs_formats_pkg::TriangleColourBits != 0 ? 1 : 0;
-  localparam int unsigned ColoursBits = Colours * hs_formats_pkg::Gouraud * 3 * hs_formats_pkg::ColourBits;
+  localparam int unsigned ColoursBits =
+      Colours * hs_formats_pkg::Gouraud * 3 * hs_formats_pkg::ColourBits;
   localparam int unsigned ValuesBits = DepthBits + ColoursBits;
   localparam int unsigned VertexBits = KeyBits + ValuesBits;
 

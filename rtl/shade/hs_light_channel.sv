@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// One channel of a lit colour: the sum over the lights of base + Σ weight·factor, exact, then half up
-// and full scale at most (kernel: light_sum and rounded_colour in hls/shade/lighting.hpp).
-// Interval 1, latency 3 cycles after the last light, of those in which en_i is 1; first_i, 1 for the
-// first light, comes a cycle after its operands. A multiplier a way.
+// One channel of a lit colour: the sum over the lights of base + Σ weight·factor, exact, then half
+// up and full scale at most (kernel: light_sum and rounded_colour in hls/shade/lighting.hpp).
+// Interval 1, latency 3 cycles after the last light, of those in which en_i is 1; first_i, 1 for
+// the first light, comes a cycle after its operands. A multiplier a way.
 module hs_light_channel #(
   parameter int unsigned Ways,
   localparam int unsigned ColourBits = hs_formats_pkg::ColourBits,

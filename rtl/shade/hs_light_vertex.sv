@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lights the vertices of a triangle, after hls/shade/light_vertex.hpp: one normal after the other through
-// one hs_lighting; of a flat triangle, one.
+// Lights the vertices of a triangle, after hls/shade/light_vertex.hpp: one normal after the other
+// through one hs_lighting; of a flat triangle, one.
 //
 // Interval: a cycle a normal and light. Latency: that of hs_lighting after the last normal, and a
 // cycle. Stall: as hs_lighting. A word is taken with its last normal: ready follows valid.

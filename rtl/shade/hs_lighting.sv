@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The Phong model for normals of any length, lights and a viewer at infinity (kernel: light_normal
-// in hls/shade/lighting.hpp). The lights are registers and the materials memories of this module, written
-// word by word while no normal is in flight.
+// in hls/shade/lighting.hpp). The lights are registers and the materials memories of this module,
+// written word by word while no normal is in flight.
 //
-// Interval: a cycle a light. Latency: 12 + 2·Squarings cycles, and one more for each light after the
-// first. Stall: all stages wait while a colour offered is not taken.
-// Stages: operands | products | sums, then the reciprocal root and the cosines to stage CosineStage,
-// the squarings to PowerStage | products with the material | sum over the lights | round.
+// Interval: a cycle a light. Latency: 12 + 2·Squarings cycles, and one more for each light after
+// the first. Stall: all stages wait while a colour offered is not taken.
+// Stages: operands | products | sums, then the reciprocal root and the cosines to stage
+// CosineStage, the squarings to PowerStage | products with the material | sum over the lights |
+// round.
 // Multipliers: 9, 1, 2, Squarings and 6; without highlights 6, 1, 1 and 3.
 module hs_lighting #(
   parameter int unsigned TagBits,  // 1 or more: what comes back with the colour

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The planes of the components of a normal over a triangle, for TdbS, after hls/shade/phong_setup.hpp: x,
-// y and z through hs_channel_planes.
+// The planes of the components of a normal over a triangle, for TdbS, after
+// hls/shade/phong_setup.hpp: x, y and z through hs_channel_planes.
 //
 // Interval, latency and stalls are those of hs_channel_planes. Attributes and normals come in one
 // order and are taken together, ready of either following both valid; empty attributes have no

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The plane-equation Gouraud shader at scan-out (kernel: hls/shade/shade_gouraud.hpp). Flat triangles
-// have their colour in TdbS: there are no planes then, no stages for them and no multiplier.
+// The plane-equation Gouraud shader at scan-out (kernel: hls/shade/shade_gouraud.hpp). Flat
+// triangles have their colour in TdbS: there are no planes then, no stages for them and no
+// multiplier.
 //
 // Interval: a cycle for each different triangle in a stamp, one for a stamp of pure background.
 // Latency: 9 cycles from a scan word with one triangle to its pixel word, 4 if flat. Stages:

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Phong shading at scan-out (kernel: hls/shade/shade_phong.hpp): the normal of a pixel from the planes of
-// its triangle, then lit. The lights and materials are those of hs_lighting, in here.
+// Phong shading at scan-out (kernel: hls/shade/shade_phong.hpp): the normal of a pixel from the
+// planes of its triangle, then lit. The lights and materials are those of hs_lighting, in here.
 //
 // Interval: a cycle a covered lane and light; a stamp of background takes as many cycles as there
 // are lights. Latency of a stamp alone: 7 cycles to the first normal, that of hs_lighting, and one.
 // Stages: pick | read | data | five of the planes, then hs_lighting and the merge into the stamp.
-// Multipliers: six, and those of hs_lighting. Stall: while a finished stamp is not taken, the stages
-// fill up and wait.
+// Multipliers: six, and those of hs_lighting. Stall: while a finished stamp is not taken, the
+// stages fill up and wait.
 // TdbS: entry index − 1, bits as in planes_t from material on; a read takes one cycle, its
 // word stays until the next read. Two banks, used in turn by the frames, the first one by the first
 // frame. Without Phong shading there is no such unit: hs_formats_pkg has not its numbers then.

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Texture at scan-out (kernel: hls/texture/shade_texture.hpp): what the shader before made of a stamp, times
-// the texels of its pixels. Textures and texels are memories of hs_texture_fetch, in here.
+// Texture at scan-out (kernel: hls/texture/shade_texture.hpp): what the shader before made of a
+// stamp, times the texels of its pixels. Textures and texels are memories of hs_texture_fetch, in
+// here.
 //
 // Interval: a cycle a covered lane, with or without a texture; one for a stamp of background.
 // Latency from a scan word with one covered lane to its pixel word: 10 cycles, and those of
-// hs_texture_fetch. A word of `lit` is looked at two cycles before that, and taken with the last pixel
-// of its stamp: scan may run ahead of it by all that the stages hold.
+// hs_texture_fetch. A word of `lit` is looked at two cycles before that, and taken with the last
+// pixel of its stamp: scan may run ahead of it by all that the stages hold.
 // Stages: pick | read | data | five of the planes | fetch, its last with `lit` | product | merge.
 // Multipliers: two a plane, those of hs_texture_fetch, and three for the product.
-// Stall: while a finished stamp is not taken everything stops; while `lit` is awaited what is before
-// the product. Texels and textures are written while no stamp is in flight.
+// Stall: while a finished stamp is not taken everything stops; while `lit` is awaited what is
+// before the product. Texels and textures are written while no stamp is in flight.
 // TdbS: entry index − 1, bits as in texture_planes_t from texture on; a read takes one cycle, its
 // word stays until the next read. Two banks, used in turn by the frames, the first one by the first
 // frame. Without texture there is no such unit: hs_formats_pkg has not its numbers then.

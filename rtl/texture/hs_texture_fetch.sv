@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The texel that a pixel shows, from its texture coordinates (kernel: texture_position, nearest_texel
-// and bilinear_texel in hls/texture/shade_texture.hpp). The table of textures and their texels are memories
-// of this module, written word by word while no pixel is in flight.
+// The texel that a pixel shows, from its texture coordinates (kernel: texture_position,
+// nearest_texel and bilinear_texel in hls/texture/shade_texture.hpp). The table of textures and
+// their texels are memories of this module, written word by word while no pixel is in flight.
 //
 // Interval 1. Latency, of cycles in which en_i is 1, which is their only stall:
 //
 //   affine, nearest 7    affine, bilinear 14    perspective, nearest 10    perspective, bilinear 17
 //
-// Stages: Lead for the reciprocal and the table of textures | product with it | three for the place |
-// address, bilinear two | texels | bilinear six of the filter. Multipliers: with perspective 1 and 2;
-// bilinear 9. Memories: the table, and a bank of texels, bilinear four of a quarter each.
+// Stages: Lead for the reciprocal and the table of textures | product with it | three for the place
+// | address, bilinear two | texels | bilinear six of the filter. Multipliers: with perspective 1
+// and 2; bilinear 9. Memories: the table, and a bank of texels, bilinear four of a quarter each.
 module hs_texture_fetch #(
   parameter int unsigned TagBits,  // 1 or more: what goes with a pixel
   localparam int unsigned Perspective = hs_formats_pkg::Perspective,

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // One channel of a bilinear filter: four texels, weighted, exact, then rounded once, half up
-// (kernel: bilinear_texel in hls/texture/shade_texture.hpp). Between the even and the odd one of two
-// neighbours it is even + weight·(odd − even), whichever of them comes first.
+// (kernel: bilinear_texel in hls/texture/shade_texture.hpp). Between the even and the odd one of
+// two neighbours it is even + weight·(odd − even), whichever of them comes first.
 //
-// Interval 1; texel_o 6 cycles after texels_i and column_weight_i, 3 after row_weight_i, of those in
-// which en_i is 1. Three multipliers: two of columns, one of rows.
+// Interval 1; texel_o 6 cycles after texels_i and column_weight_i, 3 after row_weight_i, of those
+// in which en_i is 1. Three multipliers: two of columns, one of rows.
 module hs_texture_filter #(
   parameter int unsigned WeightBits,
   localparam int unsigned ColourBits = hs_formats_pkg::ColourBits,

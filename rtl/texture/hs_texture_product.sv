@@ -16,6 +16,9 @@ module hs_texture_product #(
 );
   localparam int unsigned Places = hs_formats_pkg::FilteredBits;
   localparam int unsigned ProductBits = ColourBits + Places;
+  // Half a step, and what the division makes of it.
+  localparam logic [ProductBits-1:0] Half =
+      (ProductBits'(1) << (Places - 1)) + (ProductBits'(1) << (Places - ColourBits - 1));
 
   logic [ColourBits+TexelBits-1:0] product_q;
   logic [ProductBits-1:0] product, sum;
@@ -28,8 +31,7 @@ module hs_texture_product #(
   end
 
   assign product = ProductBits'(product_q) << (Places - TexelBits);
-  assign sum = product + (product >> ColourBits)
-               + ((ProductBits'(1) << (Places - 1)) + (ProductBits'(1) << (Places - ColourBits - 1)));
+  assign sum = product + (product >> ColourBits) + Half;
   assign colour_o = sum[ProductBits-1 -: ColourBits];
   assign unused_fraction = ^sum[Places-1:0];
 endmodule

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The planes of the texture coordinates of a triangle, for TdbS, after hls/texture/texture_setup.hpp: s, t,
-// and with perspective q, through hs_channel_planes.
+// The planes of the texture coordinates of a triangle, for TdbS, after
+// hls/texture/texture_setup.hpp: s, t, and with perspective q, through hs_channel_planes.
 //
 // Interval, latency and stalls are those of hs_channel_planes, of two or three channels. Attributes
 // and coordinates come in one order and are taken together, ready of either following both valid;
@@ -36,7 +36,7 @@ module hs_texture_setup #(
 );
   localparam int unsigned ValuesBits = 3 * Channels * CoordinateBits;
 
-  // --- The two words of a triangle; channels, each {v0, v1, v2}, in the order of the attributes ---
+  // --- The two words of a triangle; channels, each {v0, v1, v2}, in the order of attributes ---
   logic valid, ready, unused_head, unused_colours;
   logic [TextureBits-1:0] texture;
   logic [RepeatBits-1:0] repeats;

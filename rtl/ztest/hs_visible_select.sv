@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Deferred shading, after hls/ztest/visible_select.hpp: the attributes of a triangle meet the word of the
-// Z-test. Geometry hears the word; the attributes go on if the triangle is visible or the last, and
-// `empty` is then that it is not visible.
+// Deferred shading, after hls/ztest/visible_select.hpp: the attributes of a triangle meet the word
+// of the Z-test. Geometry hears the word; the attributes go on if the triangle is visible or the
+// last, and `empty` is then that it is not visible.
 //
 // Interval 1, latency 0. Attributes and word come in one order, one of each a triangle, and are
 // taken together. Fork: each output stays until taken, and the next pair waits for both.

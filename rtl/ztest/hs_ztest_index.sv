@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The Z-test with an index buffer: Z-buffer and I-buffer are tested and updated together, and a
-// triangle is reported visible when a fragment of it passed (kernel: hls/ztest/ztest_index.hpp). Without
-// depth the first fragment of a pixel passes; the ports of the Z-buffer are one bit then, 0 and not
-// looked at.
+// triangle is reported visible when a fragment of it passed (kernel: hls/ztest/ztest_index.hpp).
+// Without depth the first fragment of a pixel passes; the ports of the Z-buffer are one bit then, 0
+// and not looked at.
 //
 // Interval: a stamp a cycle, whatever the addresses. Latency: 3 cycles from a stamp to its write,
 // 4 to `visible`. Stages: address | read | test | write. What is being written while a stamp is

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The Z-test without a Z-buffer (type gamma): the stored index fetches a depth plane from TdbV, and
-// the stored depth is computed again (kernel: hls/ztest/ztest_plane.hpp, which says why its bits are
-// those of a Z-buffer). A triangle is reported visible, and has its plane in TdbV, when a fragment
-// of it passed.
+// the stored depth is computed again (kernel: hls/ztest/ztest_plane.hpp, which says why its bits
+// are those of a Z-buffer). A triangle is reported visible, and has its plane in TdbV, when a
+// fragment of it passed.
 //
-// Interval: a stamp takes a slot, that is a cycle, for each different triangle stored in its covered
-// lanes, one if there is none; a triangle takes one more, for its plane. A stamp that has a pixel in
-// common with one in flight waits until that one is written, 11 cycles behind it. Latency: 11 cycles
-// from a stamp of one slot to its write, 12 to `visible`. Stages: read | data | pick,
+// Interval: a stamp takes a slot, that is a cycle, for each different triangle stored in its
+// covered lanes, one if there is none; a triangle takes one more, for its plane. A stamp that has a
+// pixel in common with one in flight waits until that one is written, 11 cycles behind it. Latency:
+// 11 cycles from a stamp of one slot to its write, 12 to `visible`. Stages: read | data | pick,
 // where a stamp becomes slots | fetch | plane | five of hs_plane_lanes | write.
 // Stall: everything stops while a `visible` is not taken and the next one is due, and while a
 // triangle is begun whose triangle_depth is not there.

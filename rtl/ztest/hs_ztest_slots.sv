@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The first stages of hs_ztest_plane, read | data | pick: a stamp waits until no stamp in flight has
-// a pixel in common with it, reads its word of the I-buffer, and becomes slots: one for the plane of
-// its triangle if it is the first of it, then one for each different triangle that is stored in its
-// covered lanes, at least one.
+// The first stages of hs_ztest_plane, read | data | pick: a stamp waits until no stamp in flight
+// has a pixel in common with it, reads its word of the I-buffer, and becomes slots: one for the
+// plane of its triangle if it is the first of it, then one for each different triangle that is
+// stored in its covered lanes, at least one.
 //
 // Everything stops while go_i is 0; a slot leaves in each other cycle in which slot_valid_o is 1.
 // It stays in flight for SlotStages cycles more, and is written in the one after.
