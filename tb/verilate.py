@@ -49,8 +49,8 @@ def write_sources(out, package):
         return f"{out}/Vmodel.h: no port found; this Verilator prints them in another way"
     watches = {}
     for msb, path, stream in WATCH.findall((out / "Vmodel___024root.h").read_text()):
-        if stream in watches:
-            return f"two instances of hs_stream are named u_stream_{stream}; a stream has one name of its own"
+        if stream in watches or any(port.startswith(f"HS_PORT({stream}_valid_") for port in ports):
+            return f"u_stream_{stream} is the name of two streams, of an hs_stream and another or a port"
         watches[stream] = f"HS_WATCH({stream}, {path}, {int(msb) + 1})\n"
     constants = [f"HS_CONSTANT({name}, {value})\n" for name, value in CONSTANT.findall(package.read_text())]
     (out / "ports.inc").write_text("".join([*ports, *watches.values(), *constants]))

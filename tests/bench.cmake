@@ -63,7 +63,7 @@ function(halfspace_bench top config lanes)
   halfspace_package(${config})
   if(NOT TARGET ${target})
     file(GLOB units CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/rtl/*/hs_*.sv)
-    file(GLOB harness CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tb/*.sv ${PROJECT_SOURCE_DIR}/tb/harness/binding.cpp)
+    file(GLOB harness CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tb/*.sv ${PROJECT_SOURCE_DIR}/tb/*.vlt ${PROJECT_SOURCE_DIR}/tb/harness/binding.cpp)
     add_custom_command(OUTPUT ${model}/bench
       COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tb/model.py --package ${package} --lanes ${lanes}
         --top hs_${top} --out ${model} --library $<TARGET_FILE:halfspace_tb> --library $<TARGET_FILE:halfspace_verilated>
