@@ -38,14 +38,16 @@ def main():
     parser.add_argument("--only", default="", help="configurations whose name contains this")
     args = parser.parse_args()
     configs = [(name, name, "") for name in ("low", "middle", "high")]
-    configs += sorted((path.stem, str(path), path.read_text()) for path in (args.root / "tests/configs").rglob("*.toml"))
+    configs += sorted((path.stem, str(path), path.read_text())
+                      for path in (args.root / "tests/configs").rglob("*.toml"))
     for name, config, text in configs:
         if args.only not in name:
             continue
         with tempfile.TemporaryDirectory() as folder:
             out = pathlib.Path(folder)
             runs = [("package", ["package", "--config", config, "-o", out / "package.sv"])]
-            runs += [(kind, ["vectors", kind, "--config", config, "--lanes", args.lanes, "--out", out / kind]) for kind in sets_of(text)]
+            runs += [(kind, ["vectors", kind, "--config", config, "--lanes", args.lanes, "--out", out / kind])
+                     for kind in sets_of(text)]
             for kind, command in runs:
                 done = subprocess.run([args.halfspace, *command], capture_output=True, text=True)
                 if done.returncode:
@@ -53,7 +55,8 @@ def main():
                     return 1
                 # The words of a package, without its comments, which name files.
                 if kind == "package":
-                    lines = [line for line in (out / "package.sv").read_text().splitlines() if not line.lstrip().startswith("//")]
+                    lines = [line for line in (out / "package.sv").read_text().splitlines()
+                             if not line.lstrip().startswith("//")]
                     print(name, kind, "words", hashlib.sha256("\n".join(lines).encode()).hexdigest(), flush=True)
                 for path in sorted((out / kind).glob("*.hex")) if (out / kind).exists() else []:
                     print(name, kind, path.stem, digest(path), flush=True)

@@ -75,7 +75,8 @@ def arguments():
                         "repeated")
     parser.add_argument("--lanes", type=lane_number, default=1, help="of packages that name none (default: 1)")
     parser.add_argument("--targets", type=names_of(list(TARGETS)), default="all", help=f"{','.join(TARGETS)} or all")
-    parser.add_argument("--alone-targets", type=names_of(list(TARGETS)), help="of the units of --alone (default: --targets)")
+    parser.add_argument("--alone-targets", type=names_of(list(TARGETS)),
+                        help="of the units of --alone (default: --targets)")
     parser.add_argument("--units", type=names_of(every), default="all", help=f"{','.join(every)} or all")
     parser.add_argument("--clock", action="store_true", help="place and route units on an iCE40 HX8K (target ice40)")
     parser.add_argument("--seed", type=int, default=1, help="of nextpnr (default: %(default)s)")
@@ -96,7 +97,8 @@ def arguments():
         parser.error("--jobs and --tries are 1 or more")
     args.alone_targets = [name for name in args.alone_targets or args.targets if name in args.targets]
     if not args.package and not args.alone:
-        args.package = [(root / "rtl" / "formats" / name / "hs_formats_pkg.sv", None) for name in ("low", "middle", "high")]
+        args.package = [(root / "rtl" / "formats" / name / "hs_formats_pkg.sv", None)
+                        for name in ("low", "middle", "high")]
     return args
 
 
@@ -113,7 +115,8 @@ def main():
         for path, lanes, units in args.alone:
             designs += [elaborate_alone(args.yosys, args.rtl, path, number, units) for number in lanes or [args.lanes]]
         rows = measured(designs, runner)
-        result = {"format": "halfspace-area 1", "yosys": runner.yosys.removeprefix("Yosys "), "tries": args.tries, "rows": rows,
+        result = {"format": "halfspace-area 1", "yosys": runner.yosys.removeprefix("Yosys "), "tries": args.tries,
+                  "rows": rows,
                   "buffers": [line for design in designs for line in buffers(design)],
                   "bram_bits": {name: TARGETS[name].bram_bits for name in args.targets}}
         if args.markdown:

@@ -2,8 +2,9 @@
 """What is measured: hs_pipeline as Yosys elaborates it for a package and a number of lanes, taken apart.
 
 The parts are the units, and `composition`: all that hs_pipeline adds to them (queues, frame control, the multiplexers
-of the I-buffer). hs_ztest_merge, which stands beside it, is one where pixels know their objects. Each part is a flat module in RTLIL in which nothing is left of a file's place, of its line numbers, or
-of the numbers that Yosys counts up: so a part has the same text whenever it is the same hardware.
+of the I-buffer). hs_ztest_merge, which stands beside it, is one where pixels know their objects. Each part is a flat
+module in RTLIL in which nothing is left of a file's place, of its line numbers, or of the numbers that Yosys counts up:
+so a part has the same text whenever it is the same hardware.
 """
 
 import dataclasses
@@ -14,7 +15,8 @@ import tempfile
 from rtlil import TOP, canonical, memories, module, ports
 from tools import AreaError, run, say
 
-UNITS = ("triangle_setup", "light_vertex", "shade_setup", "phong_setup", "raster_pineda", "ztest_index", "ztest_plane", "scan_index",
+UNITS = ("triangle_setup", "light_vertex", "shade_setup", "phong_setup", "raster_pineda", "ztest_index", "ztest_plane",
+         "scan_index",
          "shade_gouraud", "shade_phong", "scan_object", "ztest_merge")
 COMPOSITION = "composition"
 # Memories of the frame, which an FPGA may hold elsewhere: they are counted in bits, not mapped.
@@ -70,7 +72,8 @@ def elaborate_alone(yosys, rtl, package, lanes, units):
 
 
 def unit_alone(yosys, rtl, package, lanes, title, text, unit):
-    """A unit with nothing read but what it stands on: how Yosys names and orders depends on all that it has read before."""
+    """A unit with nothing read but what it stands on: how Yosys names and orders depends on all that it has read
+    before."""
     bodies = flatten(yosys, rtl, package, f"hs_{unit}", lanes, title, values=values(text, unit))
     return part(unit, bodies, next(name for name in bodies if re.fullmatch(rf"(.*\\)?hs_{unit}", name)))
 
@@ -83,9 +86,11 @@ def constants(text):
 def in_pipeline(unit, text):
     """Whether the pipeline of the package has the unit."""
     found = constants(text)
-    objects, lights, phong, gamma = found.get("HasObjects", 0), found.get("Lights", 0), found.get("Phong", 0), found["HasDepth"] and not found["StoresDepth"]
-    return {"ztest_index": not gamma, "ztest_plane": gamma, "light_vertex": lights and not phong, "phong_setup": phong, "shade_phong": phong,
-            "shade_setup": not phong, "shade_gouraud": not phong, "scan_object": objects, "ztest_merge": objects}.get(unit, True)
+    objects, lights, phong = (found.get(name, 0) for name in ("HasObjects", "Lights", "Phong"))
+    gamma = found["HasDepth"] and not found["StoresDepth"]
+    return {"ztest_index": not gamma, "ztest_plane": gamma, "light_vertex": lights and not phong, "phong_setup": phong,
+            "shade_phong": phong, "shade_setup": not phong, "shade_gouraud": not phong, "scan_object": objects,
+            "ztest_merge": objects}.get(unit, True)
 
 
 def values(text, unit):
@@ -100,7 +105,8 @@ def elaborate(yosys, rtl, package, lanes, units):
     package, rtl = pathlib.Path(package), pathlib.Path(rtl).resolve()
     text, config, title = opened(package, lanes)
     say(f"{title}: elaboration")
-    parts = {unit: unit_alone(yosys, rtl, package, lanes, title, text, unit) for unit in units if in_pipeline(unit, text)}
+    parts = {unit: unit_alone(yosys, rtl, package, lanes, title, text, unit) for unit in units
+             if in_pipeline(unit, text)}
     # A module of its own for each instance: no queue shares the module of a memory of the frame.
     keep = (f"uniquify; select -set memories {' '.join(f'hs_pipeline.*u_{name}*' for name in BUFFERS)} "
             f"{'%u ' * (len(BUFFERS) - 1)} A:hdlname=*hs_ram_1r1w %i; "
@@ -141,7 +147,8 @@ def flatten(yosys, rtl, package, top, lanes, title, keep="", values=()):
     parameters = " ".join(f"-chparam {name} {value}" for name, value in given.items())
     with tempfile.TemporaryDirectory(prefix="halfspace-area-") as folder:
         out = pathlib.Path(folder) / "flat.il"
-        script = (f'read_verilog -sv "{package.resolve()}" {" ".join(str(path.relative_to(rtl)) for path in sources.values())}; '
+        files = " ".join(str(path.relative_to(rtl)) for path in sources.values())
+        script = (f'read_verilog -sv "{package.resolve()}" {files}; '
                   f"hierarchy -check -top {top} {parameters}; proc; chformal -remove; check -assert; {keep}"
                   f'flatten; opt_clean; write_rtlil "{out}"')
         run([yosys, "-q", "-p", script], title, cwd=rtl)

@@ -19,7 +19,8 @@ def box_of(cell):
 
 
 def boundary(module):
-    """{name: bit} of what paths come from and of what they go to: the ports, and those of the units inside turned round."""
+    """{name: bit} of what paths come from and of what they go to: the ports, and those of the units inside turned
+    round."""
     ends = {"input": {}, "output": {}}
     found = [("", port, value["direction"], value["bits"]) for port, value in module["ports"].items()]
     turned = {"input": "output", "output": "input"}

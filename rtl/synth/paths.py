@@ -7,7 +7,8 @@ from tools import AreaError
 
 
 class Paths:
-    """Longest paths over bits. `arcs`: bit -> [(bit, cells)]; `starts`, `ends`: bit -> cells on its side of a register."""
+    """Longest paths over bits. `arcs`: bit -> [(bit, cells)]; `starts`, `ends`: bit -> cells on its side of a
+    register."""
 
     def __init__(self):
         self.arcs = collections.defaultdict(list)

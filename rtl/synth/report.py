@@ -38,7 +38,8 @@ def markdown(result):
                 if (row["config"], row["lanes"]) == (config, lanes)}
         targets = list(dict.fromkeys(target for _, target in rows))
         clock = clocks and "ice40" in targets
-        head = ["unit"] + [f"{TARGETS[target].title}: LUT" if name == "lut" else name.upper() if name != "depth" else name
+        head = ["unit"] + [f"{TARGETS[target].title}: LUT" if name == "lut" else
+                           name.upper() if name != "depth" else name
                            for target in targets for name in COLUMNS if shown(target, name)]
         lines = []
         for unit in dict.fromkeys(unit for unit, _ in rows):

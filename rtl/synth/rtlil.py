@@ -58,7 +58,8 @@ def reordered(text, seed):
 
 
 def natural(statement):
-    """What is declared comes first; then by name (the last word of the line, but for connections), numbers as numbers."""
+    """What is declared comes first; then by name (the last word of the line, but for connections), numbers as
+    numbers."""
     words = re.sub(r"^  attribute .*\n", "", statement, flags=re.MULTILINE).split("\n", 1)[0].split()
     name = " ".join(words[1:]) if words[0] == "connect" else words[-1]
     kind = ("parameter", "wire", "memory", "cell", "connect").index(words[0])

@@ -96,7 +96,8 @@ class Area(unittest.TestCase):
 
         # The unit without its pipeline is the same part: nothing is mapped again, and the rows are equal.
         out = self.folder / "out.json"
-        done = self.run_tool("--alone", f"{LOW}@1:{UNIT}", "--targets", "ecp5,ice40", "--alone-targets", "ice40", "--json", out)
+        done = self.run_tool("--alone", f"{LOW}@1:{UNIT}", "--targets", "ecp5,ice40", "--alone-targets", "ice40",
+                             "--json", out)
         self.assertEqual((done.returncode, len(re.findall(rf": {UNIT}, ", done.stderr))), (0, 0), done.stderr)
         alone = json.loads(out.read_text())
         self.assertEqual((alone["rows"], alone["buffers"]), (first["rows"][1:], []))

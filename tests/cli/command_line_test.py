@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The command line as a person meets it: help, good calls, and bad input, which must give one sentence, a status that is
-not 0, and nothing half-written. Usage: command_line_test.py HALFSPACE TESTMODELS"""
+"""The command line as a person meets it: help, good calls, and bad input, which must give one sentence, a status that
+is not 0, and nothing half-written. Usage: command_line_test.py HALFSPACE TESTMODELS"""
 import json
 import pathlib
 import struct
@@ -12,7 +12,8 @@ import unittest
 
 HALFSPACE, MODELS = sys.argv[1], pathlib.Path(sys.argv[2])
 CONFIGS = pathlib.Path(__file__).resolve().parent.parent / "configs"
-COMMANDS = ("render", "vectors", "compare", "config", "package", "report", "bounds", "fit", "stability", "sweep", "frames", "quality", "cost")
+COMMANDS = ("render", "vectors", "compare", "config", "package", "report", "bounds", "fit", "stability", "sweep",
+            "frames", "quality", "cost")
 TRIANGLE = "t 1 1 0.5 255 0 0  30 2 0.5 0 255 0  4 20 0.25 0 0 255\n"
 
 
@@ -58,10 +59,12 @@ class CommandLine(unittest.TestCase):
     def test_textures_that_do_not_fit_are_scaled_with_a_warning(self):
         for name, scaled in (("textured_low", True), ("textured_high", False), ("lit_low", False)):
             config = CONFIGS / name.split("_")[0] / f"{name}.toml"
-            result = run("render", MODELS / "Collada" / "duck.dae", "--config", config, "--engine", "ref", "--texture", "nearest")
+            result = run("render", MODELS / "Collada" / "duck.dae", "--config", config, "--engine", "ref", "--texture",
+                         "nearest")
             self.assertEqual(result.returncode, 0, result.stderr)
             if scaled:
-                self.assertRegex(result.stderr, r"^warning: .*: 512x512 texels are scaled to 64x64: configuration textured_low has 4096")
+                self.assertRegex(result.stderr, r"^warning: .*: 512x512 texels are scaled to 64x64: configuration "
+                                                r"textured_low has 4096")
             else:
                 self.assertEqual(result.stderr, "")
 
@@ -76,11 +79,13 @@ class CommandLine(unittest.TestCase):
         index = struct.unpack("<1200I", (dump / "index.u32").read_bytes())
         self.assertEqual(set(index), {0, 1})
         self.assertEqual(index.count(1), json.loads(numbers.read_text())["covered_pixels"])
-        self.assertEqual(sorted(p.name for p in dump.iterdir()), ["colour.rgba8", "depth.u32", "index.u32", "triangles.tri"])
+        self.assertEqual(sorted(p.name for p in dump.iterdir()), 
+                         ["colour.rgba8", "depth.u32", "index.u32", "triangles.tri"])
 
     def test_a_static_buffer_is_held_against_none(self):
         numbers = self.folder / "quality.json"
-        self.good("quality", "court", "--static-buffer", "--size", "160x120", "--first", "60", "--frames", "11", "--json", numbers)
+        self.good("quality", "court", "--static-buffer", "--size", "160x120", "--first", "60", "--frames", "11",
+                  "--json", numbers)
         with_buffer = json.loads(numbers.read_text())
         without = with_buffer["without_static_buffer"]
         self.assertEqual(with_buffer["pixels"]["background"], without["pixels"]["background"])
@@ -91,7 +96,8 @@ class CommandLine(unittest.TestCase):
             self.assertLess(10 * with_buffer[key], without[key])
         self.assertGreaterEqual(with_buffer["compensated"]["psnr_y_db"], without["compensated"]["psnr_y_db"] - 0.01)
         boxes = MODELS / "ASE" / "anim2.ASE"  # one stands
-        self.good("frames", boxes, "--static-buffer", "--size", "64x48", "--frames", "11", "-o", self.folder / "frame_%03d.png", "--json", numbers)
+        self.good("frames", boxes, "--static-buffer", "--size", "64x48", "--frames", "11", "-o",
+                  self.folder / "frame_%03d.png", "--json", numbers)
         pixels = json.loads(numbers.read_text())["pixels"]
         self.assertGreater(pixels["static"], pixels["blended"] + pixels["copied"] + pixels["rendered"])
         self.good("cost", "court", "--size", "80x60", "--first", "60", "--json", numbers)
@@ -168,7 +174,8 @@ class CommandLine(unittest.TestCase):
     def test_bad_tri_files(self):
         cases = {"empty": "", "no size": TRIANGLE, "no triangle": "size 40 30\n", "zero": "size 0 30\n" + TRIANGLE,
                  "negative": "size -4 30\n" + TRIANGLE, "short": "size 40 30\nt 1 2 3\n",
-                 "long": "size 40 30\n" + TRIANGLE.strip() + " 5\n", "words": "size 40 30\n" + TRIANGLE.replace("255", "red"),
+                 "long": "size 40 30\n" + TRIANGLE.strip() + " 5\n",
+                 "words": "size 40 30\n" + TRIANGLE.replace("255", "red"),
                  "nan": "size 40 30\n" + TRIANGLE.replace("30 2", "nan 2"),
                  "inf": "size 40 30\n" + TRIANGLE.replace("30 2", "inf 2"),
                  "depth": "size 40 30\n" + TRIANGLE.replace("0.25", "1.25"),
@@ -182,9 +189,12 @@ class CommandLine(unittest.TestCase):
 
     def test_bad_meshes(self):
         good = "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
-        cases = {"empty.obj": "", "vertices.obj": good, "index.obj": good + "f 1 2 9\n", "nan.obj": good.replace("v 1", "v nan") + "f 1 2 3\n",
-                 "inf.obj": good.replace("v 1", "v 1e999") + "f 1 2 3\n", "text.obj": "hello\n", "cut.gltf": '{"asset": {"version": "2.0"',
-                 "garbage.glb": b"glTF\x02\0\0\0\xff\xff\xff\xff" + bytes(40), "unknown.xyz": "1 2 3\n", "empty.dae": "<COLLADA/>"}
+        cases = {"empty.obj": "", "vertices.obj": good, "index.obj": good + "f 1 2 9\n",
+                 "nan.obj": good.replace("v 1", "v nan") + "f 1 2 3\n",
+                 "inf.obj": good.replace("v 1", "v 1e999") + "f 1 2 3\n", "text.obj": "hello\n",
+                 "cut.gltf": '{"asset": {"version": "2.0"',
+                 "garbage.glb": b"glTF\x02\0\0\0\xff\xff\xff\xff" + bytes(40), "unknown.xyz": "1 2 3\n",
+                 "empty.dae": "<COLLADA/>"}
         for name, content in cases.items():
             with self.subTest(name):
                 self.bad("render", self.file(name, content), "-o", self.folder / "x.png", words=[name])
@@ -192,7 +202,7 @@ class CommandLine(unittest.TestCase):
         self.bad("render", self.folder, "-o", self.folder / "x.png")
 
     def test_invalid_models_of_the_package(self):
-        found = [p for p in MODELS.parent.rglob("invalid/*") if p.is_file()] + [p for p in MODELS.rglob("invalid/*") if p.is_file()]
+        found = [p for folder in (MODELS.parent, MODELS) for p in folder.rglob("invalid/*") if p.is_file()]
         for path in found[:40]:
             with self.subTest(path.name):
                 result = run("render", path, "--size", "32x24", "-o", self.folder / "x.png")
@@ -200,10 +210,12 @@ class CommandLine(unittest.TestCase):
                 self.assertLessEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
 
     def test_what_does_not_fit_names_what_would(self):
-        self.bad("render", "teapot", "--config", "low", "--size", "640x480", "-o", self.folder / "x.png", words=["low", "middle"])
+        self.bad("render", "teapot", "--config", "low", "--size", "640x480", "-o", self.folder / "x.png",
+                 words=["low", "middle"])
         self.bad("render", "teapot", "--size", "4000x3000", words=["4000"])
         self.bad("render", self.file("big.tri", "size 4000 20\n" + TRIANGLE), words=["4000"])
-        self.bad("render", self.file("b.tri", "size 40 30\n" + TRIANGLE.replace("30 2", "900 2")), "--config", "low", words=["middle"])
+        self.bad("render", self.file("b.tri", "size 40 30\n" + TRIANGLE.replace("30 2", "900 2")), "--config", "low",
+                 words=["middle"])
         many = self.file("many.tri", "size 40 30\n" + TRIANGLE * 4097)
         self.bad("render", many, "--config", "low", words=["4097", "middle"])
         self.good("render", self.file("fits.tri", "size 40 30\n" + TRIANGLE * 4096), "--config", "low")

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""`halfspace fit` on unlike scenes: what it finds keeps the accuracy asked when looked at a second time (pictures rendered by
-other commands, the ratio computed here), a bit less anywhere is refused or misses the goal, and its RTL is equal to the
-kernels to the bit. Usage: fit_test.py HALFSPACE MODELS FOLDER"""
+"""`halfspace fit` on unlike scenes: what it finds keeps the accuracy asked when looked at a second time (pictures
+rendered by other commands, the ratio computed here), a bit less anywhere is refused or misses the goal, and its RTL is
+equal to the kernels to the bit. Usage: fit_test.py HALFSPACE MODELS FOLDER"""
 import json
 import math
 import pathlib
@@ -20,7 +20,8 @@ TILES = "size 160 120\n" + "".join(
 def run(*command):
     result = subprocess.run([str(part) for part in command], capture_output=True, text=True)
     if result.returncode:
-        raise SystemExit(f"{' '.join(map(str, command))}\nfailed with {result.returncode}: {result.stdout}{result.stderr}")
+        raise SystemExit(f"{' '.join(map(str, command))}\nfailed with {result.returncode}: "
+                         f"{result.stdout}{result.stderr}")
     return result.stdout
 
 
@@ -37,13 +38,14 @@ def second_look(halfspace, scene, size, times, toml, folder):
         place = [] if scene.endswith(".tri") else ["--size", size, "--time", time]
         for engine, config in (("ideal", "high"), ("hls", toml)):
             run(halfspace, "render", scene, *place, "--engine", engine, "--config", config, "--dump", folder / engine)
-        worst = min(worst, psnr((folder / "ideal/colour.rgba8").read_bytes(), (folder / "hls/colour.rgba8").read_bytes()))
+        ideal, hls = ((folder / engine / "colour.rgba8").read_bytes() for engine in ("ideal", "hls"))
+        worst = min(worst, psnr(ideal, hls))
     return worst
 
 
 def check_architecture(stem, found):
-    """Type gamma exactly where TdbV is smaller than the Z-buffer and a frame takes 2 % more cycles at most; both counted again, the
-    cycles of what was taken by the co-simulation."""
+    """Type gamma exactly where TdbV is smaller than the Z-buffer and a frame takes 2 % more cycles at most; both
+    counted again, the cycles of what was taken by the co-simulation."""
     numbers, told, taken = found["configuration"], found["architecture"], found["configuration"]["architecture"]
     if not numbers["depth_bits"]:
         assert told is None and taken == "delta", f"{stem}: {told}"
@@ -55,7 +57,8 @@ def check_architecture(stem, found):
     smaller = tdbv < z_buffer and told["cycles_gamma"] <= 1.02 * told["cycles_delta"]
     assert (taken == "gamma") == smaller, f"{stem}: {taken}, {told}"
     bits = found["memory_bits"]
-    assert (bits["depth_buffer"], bits["visibility_database"]) == ((0, tdbv) if smaller else (z_buffer, 0)), f"{stem}: {bits}"
+    expected = (0, tdbv) if smaller else (z_buffer, 0)
+    assert (bits["depth_buffer"], bits["visibility_database"]) == expected, f"{stem}: {bits}"
     if "cosim" in found["proof"]:
         measured = found["proof"]["cosim"]["cycles"]
         assert abs(measured - told[f"cycles_{taken}"]) <= 2 + 0.01 * measured, f"{stem}: {told}, {measured} measured"
@@ -71,7 +74,8 @@ def main():
     folder.mkdir(parents=True)
     (folder / "tiles.tri").write_text(TILES)
     # scene, size, frames, what has to be left out
-    scenes = [("teapot", "160x120", None, []), ("castle", "200x150", None, []), ("cube", "120x90", None, ["Z-buffer", "colour planes", "reciprocal"]),
+    scenes = [("teapot", "160x120", None, []), ("castle", "200x150", None, []),
+              ("cube", "120x90", None, ["Z-buffer", "colour planes", "reciprocal"]),
               (str(folder / "tiles.tri"), "160x120", None, ["Z-buffer", "colour planes", "reciprocal"]),
               (str(models / "OBJ/spider.obj"), "200x120", None, []),
               (str(models / "Collada/box_nested_animation.dae"), "96x96", "0:4", ["Z-buffer"])]
@@ -79,15 +83,17 @@ def main():
         stem = pathlib.Path(scene).stem
         toml, report = folder / f"{stem}.toml", folder / f"{stem}.json"
         place = [] if scene.endswith(".tri") else ["--size", size]
-        run(halfspace, "fit", scene, *place, *(["--frames", frames] if frames else []), "--psnr", PSNR, "--area", "none", "-o", toml,
+        run(halfspace, "fit", scene, *place, *(["--frames", frames] if frames else []), "--psnr", PSNR, "--area",
+            "none", "-o", toml,
             "--json", report, "--work", folder / stem)
         found = json.loads(report.read_text())
         times = [k / 25 for k in range(found["frames"])]
         seen = second_look(halfspace, scene, size, times, toml, folder)
         numbers = found["configuration"]
         print(f"{stem}: {numbers['shading']}, f {numbers['subpixel_bits']}, depth {numbers['depth_bits']}, colour "
-              f"{numbers['colour_bits']}, r {numbers['reciprocal_bits']}, g {numbers['depth_fraction']} {numbers['colour_fraction']}, "
-              f"{numbers['triangles']} triangles: {seen:.2f} dB, {found['proof']['cosim']['words']} words equal")
+              f"{numbers['colour_bits']}, r {numbers['reciprocal_bits']}, g {numbers['depth_fraction']} "
+              f"{numbers['colour_fraction']}, {numbers['triangles']} triangles: {seen:.2f} dB, "
+              f"{found['proof']['cosim']['words']} words equal")
         assert len(times) == (5 if frames else 1), times
         assert seen >= PSNR - 0.3, f"{stem}: {seen:.2f} dB at a second look"
         assert found["proof"]["cosim"]["mismatches"] == 0 < found["proof"]["cosim"]["words"]
@@ -102,7 +108,8 @@ def main():
         # The test of the test: with two bits less of colour it is not as accurate.
         if "colour_bits" in numbers and numbers["colour_bits"] > 3:
             broken = folder / "broken.toml"
-            text = toml.read_text().replace(f"colour_bits = {numbers['colour_bits']}", f"colour_bits = {numbers['colour_bits'] - 2}")
+            text = toml.read_text().replace(f"colour_bits = {numbers['colour_bits']}",
+                                            f"colour_bits = {numbers['colour_bits'] - 2}")
             broken.write_text(text)
             worse = second_look(halfspace, scene, size, times[:1], broken, folder)
             assert worse < PSNR, f"{stem}: two bits of colour less still give {worse:.2f} dB"
@@ -110,7 +117,8 @@ def main():
     # Pixels know their objects where some of them move and some stand still, and nowhere else.
     for scene, frames, bits in (("court", "0:3", 5), ("cube_slow", "0:3", 0), ("teapot", "0:0", 0)):
         report = folder / "objects.json"
-        run(halfspace, "fit", scene, "--size", "96x72", "--frames", frames, "--psnr", 35, "--static-objects", "--area", "none", "--json", report,
+        run(halfspace, "fit", scene, "--size", "96x72", "--frames", frames, "--psnr", 35, "--static-objects", "--area",
+            "none", "--json", report,
             "--work", folder / "x")
         found = json.loads(report.read_text())
         numbers, told = found["configuration"], found["static_objects"]
@@ -126,7 +134,8 @@ def main():
     assert out.returncode == 1 and "no configuration reaches" in out.stderr, out.stderr
     # In a small frame the planes of the triangles take more than their depths.
     report = folder / "small.json"
-    run(halfspace, "fit", "teapot", "--size", "80x60", "--psnr", PSNR - 10, "--area", "none", "--no-cosim", "--json", report, "--work", folder / "x")
+    run(halfspace, "fit", "teapot", "--size", "80x60", "--psnr", PSNR - 10, "--area", "none", "--no-cosim", "--json",
+        report, "--work", folder / "x")
     check_architecture("small", json.loads(report.read_text()))
     assert TAKEN == {"gamma", "delta"}, TAKEN
     print("fit: six scenes hold")

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""`halfspace repro`: the numbers that the papers print come out of their formulas, and ours lie where docs/repro.md says.
+"""`halfspace repro`: the numbers that the papers print come out of their formulas, and ours lie where docs/repro.md
+says.
 Usage: repro_test.py HALFSPACE"""
 import json
 import pathlib
@@ -14,7 +15,8 @@ HALFSPACE = sys.argv[1]
 
 def repro(folder, *args):
     report = pathlib.Path(folder) / "report.json"
-    done = subprocess.run([HALFSPACE, "repro", *args, "--json", str(report), "--out", str(folder)], capture_output=True, text=True)
+    done = subprocess.run([HALFSPACE, "repro", *args, "--json", str(report), "--out", str(folder)], capture_output=True,
+                          text=True)
     assert done.returncode == 0, done.stderr
     return json.loads(report.read_text()), done.stdout
 
@@ -35,7 +37,8 @@ class Repro(unittest.TestCase):
             phong = row["shading"] == "phong"
             self.assertEqual(rates["alpha"]["lightings"],
                              rates["alpha"]["reduced_fragments"] if phong else each * rates["alpha"]["triangles"])
-            self.assertEqual(rates["beta"]["lightings"], rates["beta"]["visible_pixels"] if phong else each * rates["beta"]["triangles"])
+            self.assertEqual(rates["beta"]["lightings"],
+                             rates["beta"]["visible_pixels"] if phong else each * rates["beta"]["triangles"])
             for name in ("gamma", "delta"):
                 self.assertEqual(rates[name]["lightings"],
                                  rates[name]["visible_pixels"] if phong else each * rates[name]["reduced_triangles"])
@@ -54,7 +57,8 @@ class Repro(unittest.TestCase):
         for row in report["bandwidth"]:
             if row["wide_pixel"] == "planes" and row["shading"] != "flat":
                 self.assertLess(row["delta"]["total"], 0.5 * row["beta"]["total"], row)
-                self.assertLess(row["gamma"]["total"] - row["gamma"]["visibility_database"], 0.5 * row["beta"]["total"], row)
+                self.assertLess(row["gamma"]["total"] - row["gamma"]["visibility_database"], 0.5 * row["beta"]["total"],
+                                row)
 
     def test_dual_pipeline(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -72,8 +76,9 @@ class Repro(unittest.TestCase):
 
     def test_static_objects(self):
         with tempfile.TemporaryDirectory() as folder:
-            report, text = repro(folder, "E", "--objects", "300", "--layers", "20", "--moving", "5", "20", "--frames", "25",
-                                 "--full-frames", "2", "--interval", "8", "--width", "160", "--height", "120", "--seed", "7")
+            report, text = repro(folder, "E", "--objects", "300", "--layers", "20", "--moving", "5", "20", "--frames",
+                                 "25", "--full-frames", "2", "--interval", "8", "--width", "160", "--height", "120",
+                                 "--seed", "7")
             for name in ("static_objects", "crowd"):
                 self.assertGreater((pathlib.Path(folder) / f"{name}.png").stat().st_size, 5000)
         self.assertIn("seed 7", text)
@@ -113,7 +118,8 @@ class Repro(unittest.TestCase):
         self.assertEqual(sum(row["printed"]["compensated_db"] for row in numbers["rows"]) // 10, 33)
 
     def test_bad_calls_say_why(self):
-        for args, words in ((["E", "--objects", "10", "--moving", "8"], "8 of 10 objects"), (["A", "nowhere.obj"], "nowhere.obj"),
+        for args, words in ((["E", "--objects", "10", "--moving", "8"], "8 of 10 objects"),
+                            (["A", "nowhere.obj"], "nowhere.obj"),
                             (["C", "teapot"], "teapot")):
             done = subprocess.run([HALFSPACE, "repro", *args], capture_output=True, text=True)
             self.assertNotEqual(done.returncode, 0)

@@ -288,7 +288,8 @@ class Sweep(unittest.TestCase):
             (["cube", "--vary", "subpixel_bits=4..2"], "no values"), (["cube", "--vary", "shading=phong"], "phong"),
             (["cube", "--vary", "subpixel_bits=1", "--vary", "subpixel_bits=2"], "already"),
             (["cube", "--size", "9"], "640x480"), ([self.root / "a.tri", "--size", "9x9"], "40x30"),
-            (["cube", "--area", "asic"], "asic"), (["cube", "--point", "99"], "--list"), (["cube", "--merge"], "--merge"))
+            (["cube", "--area", "asic"], "asic"), (["cube", "--point", "99"], "--list"),
+            (["cube", "--merge"], "--merge"))
         for args, word in cases:
             with self.subTest(args):
                 result = run("sweep", *args, "--out", out)

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Co-simulates frames between key frames on ten built-in animations, in configurations that are made here: each CASE is SIZE-FILTER-SAMPLES
-for motion_compensate, as low-bicubic-4, or SIZE-field-LANES for the pipeline that makes the motion field, as middle-field-4. Key frames are
-five frames apart, the frame in between is the second; stalls 30 %.
+"""Co-simulates frames between key frames on ten built-in animations, in configurations that are made here: each CASE is
+SIZE-FILTER-SAMPLES for motion_compensate, as low-bicubic-4, or SIZE-field-LANES for the pipeline that makes the motion
+field, as middle-field-4. Key frames are five frames apart, the frame in between is the second; stalls 30 %.
 Usage: animation_matrix_test.py HALFSPACE FOLDER CASE … --library A.a --library B.a [--seeds N]"""
 import argparse
 import concurrent.futures
@@ -17,7 +17,8 @@ sys.path.insert(0, str(TESTS.parent / "tb"))
 from model import build  # noqa: E402
 
 # The number of the first key frame: where much moves.
-SCENES = {"cube_slow": 20, "cube_fast": 20, "cube_zoom": 5, "pyramid_slow": 20, "pyramid_fast": 20, "wheel_in_out": 10, "wheel_turn": 20,
+SCENES = {"cube_slow": 20, "cube_fast": 20, "cube_zoom": 5, "pyramid_slow": 20, "pyramid_fast": 20, "wheel_in_out": 10,
+          "wheel_turn": 20,
           "ring_fall": 20, "drone": 25, "jet": 25}
 RATE = 30
 
@@ -56,7 +57,8 @@ def try_case(args, case):
     for scene, first in SCENES.items():
         own = ["--size", "160x120", "--time", (first + 2) / RATE, "--interval", f"{first / RATE}:{(first + 5) / RATE}",
                "--no-corners" if field else "--compensation"]
-        code, text = run([sys.executable, TESTS / "pipeline/cosim_test.py", args.halfspace, bench, folder / "vectors", scene, toml, lanes,
+        code, text = run([sys.executable, TESTS / "pipeline/cosim_test.py", args.halfspace, bench, folder / "vectors",
+                          scene, toml, lanes,
                           "--stall", 30, "--seeds", args.seeds, "--", *own])
         if code:
             return False, f"{scene}: {text}"

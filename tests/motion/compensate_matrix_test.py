@@ -43,7 +43,8 @@ def try_case(args, case):
     bench = build(package, 4, "hs_compensate_units", folder / "model", args.library, verilator=args.verilator,
                   cxx=args.cxx, yosys=args.yosys if netlist else None)
     for stall, seeds in ((30, args.seeds), (0, 1)):
-        code, text = run([sys.executable, TESTS / "pipeline/cosim_test.py", args.halfspace, bench, folder / "vectors", "compensation",
+        code, text = run([sys.executable, TESTS / "pipeline/cosim_test.py", args.halfspace, bench, folder / "vectors",
+                          "compensation",
                           toml, 4, "--stall", stall, "--seeds", seeds])
         if code:
             return False, text

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""A random sequence of the static objects buffer on the RTL: its passes through the bench of hs_pipeline, its runs through that of
-ztest_merge. What is merged is word by word what the pipeline gave. Judges by what the reports count: every stream has words, none
-mismatches, and all kinds of runs were there.
-Usage: static_cosim_test.py HALFSPACE PIPELINE MERGE FOLDER CONFIG LANES [--stall P] [--seed N] [-- options of `halfspace vectors static`]"""
+"""A random sequence of the static objects buffer on the RTL: its passes through the bench of hs_pipeline, its runs
+through that of ztest_merge. What is merged is word by word what the pipeline gave. Judges by what the reports count:
+every stream has words, none mismatches, and all kinds of runs were there.
+Usage: static_cosim_test.py HALFSPACE PIPELINE MERGE FOLDER CONFIG LANES [--stall P] [--seed N] [-- options of
+`halfspace vectors static`]"""
 import argparse
 import json
 import pathlib
@@ -60,14 +61,16 @@ def main():
     args = parser.parse_args(own[:at])
     folder = pathlib.Path(args.folder)
     shutil.rmtree(folder, ignore_errors=True)
-    code, text = run([args.halfspace, "vectors", "static", "--config", args.config, "--lanes", args.lanes, "--out", str(folder),
+    code, text = run([args.halfspace, "vectors", "static", "--config", args.config, "--lanes", args.lanes, "--out",
+                      str(folder),
                       "--seed", str(args.seed), *own[at + 1:]])
     print(text, end="")
     if code:
         return code
     kinds, followed, used, passes = chain(folder)
     print(f"runs: {kinds}; {followed} words of {used} passes of {passes} are merged")
-    wanted = {"add", "erase", "frame"} | ({"query"} if "--no-query" not in own else set()) | ({"compose"} if "--buffers" in own else set())
+    wanted = {"add", "erase", "frame"} | ({"query"} if "--no-query" not in own else set())
+    wanted |= {"compose"} if "--buffers" in own else set()
     if set(kinds) != wanted:
         print(f"and not {wanted}")
         return 1

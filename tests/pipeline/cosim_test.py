@@ -3,7 +3,8 @@
 """Writes a vector set and runs a Verilated program on it under several stall seeds. Judges by what the reports count:
 every stream has words, none mismatches.
 SCENE `layers` is one of its own.
-Usage: cosim_test.py HALFSPACE PROGRAM FOLDER SCENE CONFIG LANES [--stall P] [--seeds N] [--bound X] [-- options of `halfspace vectors`]"""
+Usage: cosim_test.py HALFSPACE PROGRAM FOLDER SCENE CONFIG LANES [--stall P] [--seeds N] [--bound X] [-- options of
+`halfspace vectors`]"""
 import argparse
 import json
 import pathlib
@@ -20,21 +21,22 @@ def run(command):
 
 
 def layers(path):
-    """Triangles behind each other, the farthest first: under each stamp there are others, so that the Z-test of type gamma sets the
-    pace."""
+    """Triangles behind each other, the farthest first: under each stamp there are others, so that the Z-test of type
+    gamma sets the pace."""
     draw = random.Random(1)
     lines = ["size 160 120"]
     for k in range(300):
         x, y = draw.uniform(0, 160), draw.uniform(0, 120)
         corners = [(x + draw.uniform(-50, 50), y + draw.uniform(-50, 50)) for _ in range(3)]
-        lines.append("t" + "".join(f" {a:.3f} {b:.3f} {0.95 - k / 400 + draw.uniform(-0.05, 0.05):.4f} {k % 256} 90 {255 - k % 256}"
-                                   for a, b in corners))
+        vertices = [f" {a:.3f} {b:.3f} {0.95 - k / 400 + draw.uniform(-0.05, 0.05):.4f} {k % 256} 90 {255 - k % 256}"
+                    for a, b in corners]
+        lines.append("t" + "".join(vertices))
     path.write_text("\n".join(lines) + "\n")
 
 
 def run_bench(program, folder, stall, seed):
-    """What the bench says of the vectors of a folder, and the runs of its report. Ends the test where it fails, where a stream has no
-    words and where one mismatches."""
+    """What the bench says of the vectors of a folder, and the runs of its report. Ends the test where it fails, where a
+    stream has no words and where one mismatches."""
     report = folder / "report.json"
     report.unlink(missing_ok=True)
     code, text = run([program, str(folder), "--seed", str(seed), "--stall", str(stall), "--json", str(report)])
@@ -44,7 +46,8 @@ def run_bench(program, folder, stall, seed):
     for one in runs:
         bad = [s["name"] for s in one["streams"] if s["words"] == 0 or s["mismatches"] != 0]
         if bad or not one["streams"] or one["mismatches"] or one["failures"] or not one["passed"]:
-            raise SystemExit(f"{text}\nseed {seed}, {one['unit']}: streams {bad or 'none'} without words or with mismatches")
+            raise SystemExit(f"{text}\nseed {seed}, {one['unit']}: streams {bad or 'none'} without words or "
+                             "with mismatches")
     if not runs:
         raise SystemExit(f"{text}\nseed {seed}: {program} reports no unit")
     return text, runs
@@ -62,7 +65,8 @@ def counts(args, engine, options, architecture):
     """What the scene takes by the reference or by the kernels: data rates, and accesses of each buffer."""
     report = pathlib.Path(args.folder) / f"{engine}.json"
     by = ["--architecture", architecture] if engine == "ref" else []
-    code, text = run([args.halfspace, "render", args.scene, "--config", args.config, "--engine", engine, "--lanes", args.lanes, *by,
+    code, text = run([args.halfspace, "render", args.scene, "--config", args.config, "--engine", engine, "--lanes",
+                      args.lanes, *by,
                       *options, "--json", str(report)])
     if code:
         raise SystemExit(text)
@@ -70,13 +74,14 @@ def counts(args, engine, options, architecture):
 
 
 def difference(args, one, options):
-    """Why the RTL's counters of a scene are not those of the kernels and of the reference, or its cycles without stalls not those of
-    the model; nothing if they are."""
+    """Why the RTL's counters of a scene are not those of the kernels and of the reference, or its cycles without stalls
+    not those of the model; nothing if they are."""
     buffers = one["buffers"]
     architecture = "gamma" if "visibility_database" in buffers else "delta"
     for engine in ("ref", "hls"):
         found = counts(args, engine, options, architecture)
-        rates = {name: found["rates"][name] for name in (*COUNTED, *(name for name in ("lightings", "texture_fetches") if name in one["rates"]))}
+        counted = [*COUNTED, *(name for name in ("lightings", "texture_fetches") if name in one["rates"])]
+        rates = {name: found["rates"][name] for name in counted}
         if rates != one["rates"] or not rates["visible_pixels"]:
             return f"the rates differ: {engine} {rates}, RTL {one['rates']}"
         whole = engine == "hls"  # the reference has no memories, and so no words
@@ -94,7 +99,8 @@ def difference(args, one, options):
 
 
 def compensation_difference(frames, one, without_stalls):
-    """Why the tiles that the caches missed, or the cycles where nothing stalls, are not those of the kernel; nothing if they are."""
+    """Why the tiles that the caches missed, or the cycles where nothing stalls, are not those of the kernel; nothing if
+    they are."""
     for key in (0, 1):
         fetched = next(s["words"] for s in one["streams"] if s["name"] == f"key_request_{key}")
         missed = sum(frame["misses"][key] for frame in frames)
@@ -110,7 +116,8 @@ MERGE_LATENCY = 3  # from the last stamp of a run to its word of `found`
 
 
 def merge_difference(frames, one, without_stalls):
-    """Why the cycles of runs behind each other, where nothing stalls, are not those of the kernel; nothing if they are."""
+    """Why the cycles of runs behind each other, where nothing stalls, are not those of the kernel; nothing if they
+    are."""
     cycles = sum(frame["cycles"] for frame in frames) + MERGE_LATENCY
     if without_stalls and cycles != one["cycles"]:
         return f"{one['cycles']} cycles, and {cycles} are a word each, a command a run, and the latency of the last"

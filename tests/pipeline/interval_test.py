@@ -20,7 +20,8 @@ def triangles(clockwise):
     lines = ["size 100 100"]
     for _ in range(TRIANGLES):
         x, y, turn = draw.uniform(5, 95), draw.uniform(5, 95), draw.uniform(0, math.tau)
-        corners = [(x + 3 * math.cos(turn + k * math.tau / 3), y + 3 * math.sin(turn + k * math.tau / 3)) for k in range(3)]
+        corners = [(x + 3 * math.cos(turn + k * math.tau / 3), y + 3 * math.sin(turn + k * math.tau / 3))
+                   for k in range(3)]
         lines.append("t" + "".join(f" {a} {b} 0.5 9 9 9" for a, b in (corners if clockwise else corners[::-1])))
     return "\n".join(lines) + "\n"
 
@@ -46,7 +47,8 @@ def main():
         taken = cycles(halfspace, bench, config, lanes, folder, clockwise)
         low = TRIANGLES * interval
         high = low + (0 if clockwise else TRIANGLES) + LATENCY
-        print(f"{'D > 0' if clockwise else 'D < 0'}: {taken} cycles for {TRIANGLES} triangles, SetupInterval {interval}")
+        print(f"{'D > 0' if clockwise else 'D < 0'}: {taken} cycles for {TRIANGLES} triangles, "
+              f"SetupInterval {interval}")
         if not low <= taken <= high:
             print(f"not {low} to {high}")
             return 1

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Co-simulates the whole pipeline of configurations that are made here: a size, an architecture, a shading, a texture, each
-CASE being SIZE-ARCHITECTURE-SHADING[-FILTER-MAPPING][-objects], as low-gamma-phong. The corner cases and random frames under several
-stall seeds, and a scene.
+"""Co-simulates the whole pipeline of configurations that are made here: a size, an architecture, a shading, a texture,
+each CASE being SIZE-ARCHITECTURE-SHADING[-FILTER-MAPPING][-objects], as low-gamma-phong. The corner cases and random
+frames under several stall seeds, and a scene.
 Usage: matrix_test.py HALFSPACE FOLDER CASE … --library A.a --library B.a [--lanes N] [--seeds N]"""
 import argparse
 import concurrent.futures
@@ -56,10 +56,12 @@ def try_case(args, case):
     code, text = run([args.halfspace, "package", "--config", toml, "-o", package])
     if code:
         return False, text
-    bench = build(package, args.lanes, "hs_pipeline", folder / "model", args.library, verilator=args.verilator, cxx=args.cxx)
+    bench = build(package, args.lanes, "hs_pipeline", folder / "model", args.library, verilator=args.verilator,
+                  cxx=args.cxx)
     scene = args.textured_scene if case.removesuffix("-objects").count("-") > 2 else "teapot"
     for scene, seeds, options in (("standard", args.seeds, []), (scene, 1, ["--no-corners", "--size", "160x120"])):
-        code, text = run([sys.executable, TESTS / "pipeline/cosim_test.py", args.halfspace, bench, folder / "vectors", scene, toml,
+        code, text = run([sys.executable, TESTS / "pipeline/cosim_test.py", args.halfspace, bench, folder / "vectors",
+                          scene, toml,
                           args.lanes, "--stall", 30, "--seeds", seeds, "--", *options])
         if code:
             return False, text

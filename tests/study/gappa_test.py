@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Gappa proves every bound of a configuration, and does not prove what is not so. The scripts are printed by the program.
+"""Gappa proves every bound of a configuration, and does not prove what is not so. The scripts are printed by the
+program.
 Usage: gappa_test.py HALFSPACE GAPPA"""
 import json
 import pathlib
@@ -14,7 +15,8 @@ HALFSPACE, GAPPA = sys.argv[1:3]
 NAMED = ["low", "middle", "high"]
 # Beyond the named ones, what differs from low: the widest numbers, the narrowest, planes of 32 bits, a long reciprocal.
 UNNAMED = {
-    "wide": {"width": 8000, "height": 4320, "range_bits": 15, "subpixel_bits": 8, "depth_bits": 24, "reciprocal_bits": 28,
+    "wide": {"width": 8000, "height": 4320, "range_bits": 15, "subpixel_bits": 8, "depth_bits": 24,
+             "reciprocal_bits": 28,
              "depth_fraction": 16, "colour_fraction": 18},
     "narrow": {"width": 20, "height": 10, "range_bits": 6, "subpixel_bits": 1, "depth_bits": 2, "colour_bits": 1,
                "reciprocal_bits": 10, "depth_fraction": 9, "colour_fraction": 8},
@@ -23,7 +25,8 @@ UNNAMED = {
 }
 # With lighting, from files, and how many proofs they have.
 CONFIGS = pathlib.Path(__file__).resolve().parent.parent / "configs/lit"
-LIT = {CONFIGS / "lit_low.toml": 13, CONFIGS / "lit_middle.toml": 13, CONFIGS / "lit_high.toml": 13, CONFIGS / "lit_matte.toml": 3,
+LIT = {CONFIGS / "lit_low.toml": 13, CONFIGS / "lit_middle.toml": 13, CONFIGS / "lit_high.toml": 13,
+       CONFIGS / "lit_matte.toml": 3,
        CONFIGS / "phong_low.toml": 13, CONFIGS / "phong_high.toml": 13}
 # A number that is as small as it can be: mantissa, exponent.
 TIGHT = re.compile(r"in \[(-?\d+(?:b-?\d+)?), (\d+)b(-?\d+)\]")
@@ -40,8 +43,8 @@ def prove(text):
     said = result.stdout + result.stderr
     if result.returncode == 0 and said == "":
         return True
-    assert result.returncode == 1 and re.search(r"Error: (some properties were not satisfied|no contradiction was found)", said), \
-        f"Gappa did not judge this:\n{text}\n{said}"
+    refused = re.search(r"Error: (some properties were not satisfied|no contradiction was found)", said)
+    assert result.returncode == 1 and refused, f"Gappa did not judge this:\n{text}\n{said}"
     return False
 
 
@@ -97,7 +100,8 @@ class Proofs(unittest.TestCase):
         for script, changes in {
                 "light_cosine": [("rho in [-1b-17", "rho in [-1b-15"), ("C = fixed<-16,nu>", "C = fixed<-16,dn>"),
                                  ("P = fixed<-16,nu>", "P = fixed<-15,nu>")],
-                "light_power": [("S3 = fixed<-16,nu>", "S3 = fixed<-16,dn>"), ("C0 - X0 in [-3b-17", "C0 - X0 in [-4b-17")],
+                "light_power": [("S3 = fixed<-16,nu>", "S3 = fixed<-16,dn>"),
+                                ("C0 - X0 in [-3b-17", "C0 - X0 in [-4b-17")],
                 "light_sum": [("kd in [0, 255]", "kd in [0, 256]"), ("ks in [0, 255]", "ks in [0, 256]")],
                 "snap": [("ne>", "dn>")],
                 "triangle_setup_reciprocal": [("nu>", "dn>"), ("[1, 2]", "[1, 3]"), ("[1, 2]", "[0, 2]")],
