@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/plots/picture.hpp"
 
-#include <OpenImageIO/imageio.h>
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <filesystem>
 
-#include "ref/error.hpp"
+#include "ref/scene/image_file.hpp"
 #include "vectors/staging.hpp"
 
 namespace halfspace::cli {
@@ -73,14 +70,10 @@ void write_picture(const std::string& path, const Picture& picture) {
   const std::filesystem::path target(path);
   model::StagedFolder staged(target.parent_path().string());
   const std::string part = staged.path(target.filename().string());
-  const auto out = OIIO::ImageOutput::create(part);
-  if (!out) throw ref::Error(fmt::format("{}: there is no picture format of that ending: use .png", path));
-  const OIIO::ImageSpec spec(picture.width, picture.height, 3, OIIO::TypeDesc::UINT8);
-  if (!out->open(part, spec) || !out->write_image(OIIO::TypeDesc::UINT8, picture.pixels.data()) || !out->close()) {
-    std::string reason = out->geterror();
-    std::replace(reason.begin(), reason.end(), '\n', ' ');
-    throw ref::Error(fmt::format("{}: cannot write the picture: {}", path, reason));
-  }
+  ref::Image image{picture.width, picture.height, 3, {}};
+  image.bytes.reserve(3 * picture.pixels.size());
+  for (const auto& pixel : picture.pixels) image.bytes.insert(image.bytes.end(), pixel.begin(), pixel.end());
+  ref::write_image(part, path, image);
   staged.commit();
 }
 

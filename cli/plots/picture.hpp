@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures of a frame, through OpenImageIO.
+// Pictures of a frame.
 #ifndef HALFSPACE_CLI_PLOTS_PICTURE_HPP_
 #define HALFSPACE_CLI_PLOTS_PICTURE_HPP_
 

@@ -1,44 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ref/scene/texture.hpp"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "ref/error.hpp"
+#include "ref/scene/image_file.hpp"
 
 namespace halfspace::ref {
 namespace {
 
-constexpr int kLongestRead = 16384;  // texels each way, so that a broken header asks for no more memory than there is
-
 std::int64_t wrapped(std::int64_t i, std::int64_t size) { return (i % size + size) % size; }
 
-Texture from_input(const std::string& name, std::unique_ptr<OIIO::ImageInput> input, bool flip) {
-  if (!input) {
-    throw Error(fmt::format("{}: the texture cannot be read ({}); check the file, or export the scene again", name,
-                            OIIO::geterror()));
-  }
-  const OIIO::ImageSpec spec = input->spec();
-  if (spec.width < 1 || spec.height < 1 || spec.width > kLongestRead || spec.height > kLongestRead ||
-      spec.nchannels < 1) {
-    throw Error(fmt::format("{}: a texture of {}x{} texels is not taken; scale it to 1x1 to {}x{}", name, spec.width,
-                            spec.height, kLongestRead, kLongestRead));
-  }
-  std::vector<std::uint8_t> bytes(std::size_t(spec.width) * spec.height * spec.nchannels);
-  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, bytes.data())) {
-    throw Error(fmt::format("{}: the texture cannot be read ({}); check the file", name, input->geterror()));
-  }
-  Texture texture{name, spec.width, spec.height, {}};
-  texture.texels.resize(std::size_t(spec.width) * spec.height);
-  for (int y = 0; y < spec.height; ++y) {
-    for (int x = 0; x < spec.width; ++x) {
-      const std::uint8_t* const pixel = &bytes[(std::size_t(y) * spec.width + x) * spec.nchannels];
-      auto& texel = texture.texels[std::size_t(flip ? spec.height - 1 - y : y) * spec.width + x];
-      for (int c = 0; c < 3; ++c) texel[c] = pixel[spec.nchannels < 3 ? 0 : c];
+Texture from_image(const std::string& name, const Image& image, bool flip) {
+  Texture texture{name, image.width, image.height, {}};
+  texture.texels.resize(std::size_t(image.width) * image.height);
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const std::uint8_t* const pixel = &image.bytes[(std::size_t(y) * image.width + x) * image.channels];
+      auto& texel = texture.texels[std::size_t(flip ? image.height - 1 - y : y) * image.width + x];
+      for (int c = 0; c < 3; ++c) texel[c] = pixel[image.channels < 3 ? 0 : c];
     }
   }
   return texture;
@@ -50,15 +30,10 @@ const std::array<std::uint8_t, 3>& Texture::at(std::int64_t i, std::int64_t j) c
   return texels[std::size_t(wrapped(j, height)) * width + wrapped(i, width)];
 }
 
-Texture read_texture(const std::string& path, bool flip) {
-  return from_input(path, OIIO::ImageInput::open(path), flip);
-}
+Texture read_texture(const std::string& path, bool flip) { return from_image(path, read_image(path), flip); }
 
 Texture read_texture(const std::string& name, const std::vector<std::uint8_t>& bytes, bool flip) {
-  // The ending chooses the reader: the two formats that scene files embed.
-  const bool is_png = bytes.size() > 3 && bytes[1] == 'P' && bytes[2] == 'N' && bytes[3] == 'G';
-  OIIO::Filesystem::IOMemReader reader(const_cast<std::uint8_t*>(bytes.data()), bytes.size());
-  return from_input(name, OIIO::ImageInput::open(is_png ? "embedded.png" : "embedded.jpg", nullptr, &reader), flip);
+  return from_image(name, read_image(name, bytes), flip);
 }
 
 Texture resampled(const Texture& texture, int width, int height) {

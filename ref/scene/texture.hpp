@@ -20,7 +20,7 @@ struct Texture {
   const std::array<std::uint8_t, 3>& at(std::int64_t i, std::int64_t j) const;
 };
 
-// Any file that OpenImageIO reads, or the bytes of one; grey becomes r = g = b, alpha is left out. Error with the name
+// Any file that read_image reads, or the bytes of one; grey becomes r = g = b, alpha is left out. Error with the name
 // of the file. `flip`: row 0 of the file is at v = 1.
 Texture read_texture(const std::string& path, bool flip);
 Texture read_texture(const std::string& name, const std::vector<std::uint8_t>& bytes, bool flip);

@@ -1,0 +1,3 @@
+# SPDX-License-Identifier: Apache-2.0
+# `make` is `make -f Makefile.sim`.
+include Makefile.sim
