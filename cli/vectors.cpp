@@ -11,10 +11,10 @@
 #include "model/drivers/up_convert.hpp"
 #include "model/pipeline/engine.hpp"
 #include "ref/error.hpp"
-#include "vectors/awkward_normals.hpp"
-#include "vectors/extremes.hpp"
+#include "vectors/frames/awkward.hpp"
+#include "vectors/frames/extremes.hpp"
+#include "vectors/frames/static_sequence.hpp"
 #include "vectors/standard_set.hpp"
-#include "vectors/static_sequence.hpp"
 #include "vectors/vector_set.hpp"
 
 namespace halfspace::cli {

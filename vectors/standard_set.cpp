@@ -5,8 +5,8 @@
 
 #include <random>
 
-#include "vectors/extremes.hpp"
-#include "vectors/frame_builder.hpp"
+#include "vectors/frames/extremes.hpp"
+#include "vectors/frames/frame_builder.hpp"
 
 namespace halfspace::model {
 

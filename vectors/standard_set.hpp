@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The frames that every vector set can begin with: corner cases, each with its reason, the numerical extremes
-// (vectors/extremes.hpp) among them, then random triangles.
+// (vectors/frames/extremes.hpp) among them, then random triangles.
 #ifndef HALFSPACE_VECTORS_STANDARD_SET_HPP_
 #define HALFSPACE_VECTORS_STANDARD_SET_HPP_
 

@@ -9,8 +9,8 @@
 
 #include "model/formats/configuration.hpp"
 #include "model/pipeline/named_frame.hpp"
-#include "vectors/compensation_frames.hpp"
-#include "vectors/merge_frames.hpp"
+#include "vectors/frames/compensation_frames.hpp"
+#include "vectors/frames/merge_frames.hpp"
 
 namespace halfspace::model {
 

@@ -44,11 +44,6 @@ RawKeyPlaces quantized_places(const std::array<glm::dvec2, 3>& place, const std:
 MotionFrame motion_frame(const ref::Between& between, const Config& config,
                          const ref::OfKeys<ref::LightChange>& change = {});
 
-// For the triangles of a frame, from `seed`, as no scene has them: places of all kinds in turn: near the triangle and
-// far from it, at the ends of the range of positions, q as far apart as can be, hardly apart, in any octave, a triangle
-// that is nowhere; differences likewise.
-MotionFrame awkward_motion(const ref::SnappedList& list, const Config& config, std::uint64_t seed);
-
 }  // namespace halfspace::model
 
 #endif  // HALFSPACE_MODEL_MOTION_MOTION_HPP_

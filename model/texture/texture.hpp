@@ -49,11 +49,6 @@ TextureFrame loaded_textures(const std::vector<ref::Texture>& textures, const Co
 // And the triangles of a geometry.
 TextureFrame texture_frame(const ref::Geometry& geometry, const Config& config);
 
-// For `triangles` triangles, from `seed`: small textures and large ones, longer one way and the other, of noise; and
-// coordinates of all kinds in turn: any, ones at either end of the range, ones that hardly differ, w that differ by as
-// much as can be, many repetitions, and none of a texture.
-TextureFrame awkward_coordinates(std::size_t triangles, const Config& config, std::uint64_t seed);
-
 }  // namespace halfspace::model
 
 #endif  // HALFSPACE_MODEL_TEXTURE_TEXTURE_HPP_

@@ -3,7 +3,7 @@
 
 #include "model/pipeline/engine.hpp"
 #include "study/bounds/bounds_measure.hpp"
-#include "vectors/awkward_normals.hpp"
+#include "vectors/frames/awkward.hpp"
 #include "vectors/standard_set.hpp"
 
 namespace halfspace::model {

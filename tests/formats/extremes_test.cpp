@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numerical extremes (vectors/extremes.hpp), kernels against the reference: every frame, and every triangle of
-// it in a frame of its own. docs/extremes.md has the promises and the numbers that this test prints.
+// The numerical extremes (vectors/frames/extremes.hpp), kernels against the reference: every frame, and every triangle
+// of it in a frame of its own. docs/extremes.md has the promises and the numbers that this test prints.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 #include "model/formats/field_value.hpp"
 #include "model/pipeline/engine.hpp"
 #include "study/trade/accuracy.hpp"
-#include "vectors/extremes.hpp"
+#include "vectors/frames/extremes.hpp"
 
 namespace halfspace::tests {
 namespace {

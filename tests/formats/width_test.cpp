@@ -7,7 +7,7 @@
 
 #include "model/formats/format_fields.hpp"
 #include "model/pipeline/engine.hpp"
-#include "vectors/extremes.hpp"
+#include "vectors/frames/extremes.hpp"
 
 namespace halfspace::tests {
 namespace {

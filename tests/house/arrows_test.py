@@ -15,6 +15,7 @@ FLOORS = {"ref": "", "hls": "", "tb": "", "model": "ref hls", "vectors": "model 
 ROOMS = {"ref": ".hpp scene+builtin geometry raster objects motion",
          "hls": "numbers formats setup raster ztest shade texture motion objects pipeline top",
          "model": "formats texture shade motion objects pipeline drivers",
+         "vectors": "frames .hpp+.cpp",
          "study": "proofs bounds stability trade fit papers",
          "cli": ".hpp common plots sweep+repro .cpp",
          "rtl": "common setup raster ztest shade texture motion objects pipeline"}

@@ -8,7 +8,7 @@
 #include "ref/error.hpp"
 #include "tests/config_path.hpp"
 #include "tests/motion/compensate_model.hpp"
-#include "vectors/compensation_frames.hpp"
+#include "vectors/frames/compensation_frames.hpp"
 
 namespace halfspace::tests {
 namespace {

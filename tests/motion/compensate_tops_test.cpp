@@ -5,7 +5,7 @@
 #include "hls/motion/motion_compensate.hpp"
 #include "hls/top/fields.hpp"
 #include "model/formats/field_value.hpp"
-#include "vectors/compensation_frames.hpp"
+#include "vectors/frames/compensation_frames.hpp"
 
 using TopKeyBlock = halfspace::KeyBlock<halfspace::TopFormats, halfspace::key_side(halfspace::TopFormats::kFilter)>;
 extern "C" void motion_compensate_top(int, int, int, const std::int64_t*, const TopKeyBlock*, const TopKeyBlock*,

@@ -5,6 +5,7 @@
 #include "model/pipeline/engine_impl.hpp"
 #include "tests/motion/field_fixture.hpp"
 #include "tests/motion/motion_configs.hpp"
+#include "vectors/frames/awkward.hpp"
 #include "vectors/standard_set.hpp"
 
 namespace halfspace::tests {

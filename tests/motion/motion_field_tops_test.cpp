@@ -9,6 +9,7 @@
 #include "hls/motion/motion_setup.hpp"
 #include "hls/top/fields.hpp"
 #include "model/motion/motion_records.hpp"
+#include "vectors/frames/awkward.hpp"
 #include "vectors/standard_set.hpp"
 
 using TopMotionDatabase = halfspace::MotionDatabase<halfspace::TopFormats>;

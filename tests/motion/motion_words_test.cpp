@@ -8,7 +8,8 @@
 
 #include "model/formats/field_value.hpp"
 #include "tests/motion/field_fixture.hpp"
-#include "vectors/extremes.hpp"
+#include "vectors/frames/awkward.hpp"
+#include "vectors/frames/extremes.hpp"
 #include "vectors/standard_set.hpp"
 
 namespace halfspace::tests {

@@ -15,7 +15,7 @@
 #include "tests/formats/feature_configs.hpp"
 #include "tests/numbers/types_engine.hpp"
 #include "tests/objects/object_configs.hpp"
-#include "vectors/merge_frames.hpp"
+#include "vectors/frames/merge_frames.hpp"
 #include "vectors/standard_set.hpp"
 
 #if defined(HALFSPACE_TYPES_SYSTEMC)

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "ref/error.hpp"
-#include "vectors/merge_frames.hpp"
+#include "vectors/frames/merge_frames.hpp"
 
 namespace halfspace::tests {
 namespace {

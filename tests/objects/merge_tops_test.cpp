@@ -9,7 +9,7 @@
 #include "hls/top/fields.hpp"
 #include "model/formats/field_value.hpp"
 #include "model/pipeline/engine.hpp"
-#include "vectors/merge_frames.hpp"
+#include "vectors/frames/merge_frames.hpp"
 #include "vectors/standard_set.hpp"
 
 using TopDepthBuffer = halfspace::DepthBuffer<halfspace::TopFormats>;

@@ -9,7 +9,7 @@
 #include "ref/geometry/geometry.hpp"
 #include "ref/objects/static_objects.hpp"
 #include "ref/raster/raster.hpp"
-#include "vectors/moving_scene.hpp"
+#include "vectors/frames/moving_scene.hpp"
 
 namespace halfspace::ref {
 

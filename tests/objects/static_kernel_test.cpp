@@ -11,7 +11,7 @@
 #include "ref/error.hpp"
 #include "ref/objects/object_raster.hpp"
 #include "tests/config_path.hpp"
-#include "vectors/moving_scene.hpp"
+#include "vectors/frames/moving_scene.hpp"
 
 namespace halfspace::tests {
 namespace {

@@ -10,8 +10,8 @@
 #include "ref/error.hpp"
 #include "ref/scene/scene.hpp"
 #include "tests/shade/lit_configs.hpp"
-#include "vectors/awkward_normals.hpp"
-#include "vectors/frame_builder.hpp"
+#include "vectors/frames/awkward.hpp"
+#include "vectors/frames/frame_builder.hpp"
 
 namespace halfspace::tests {
 namespace {

@@ -10,7 +10,7 @@
 #include "model/formats/field_value.hpp"
 #include "model/pipeline/engine.hpp"
 #include "model/shade/lighting_engine.hpp"
-#include "vectors/awkward_normals.hpp"
+#include "vectors/frames/awkward.hpp"
 #include "vectors/standard_set.hpp"
 
 extern "C" void light_vertex_top(const std::int64_t*, const halfspace::LightTable<halfspace::TopFormats>*,

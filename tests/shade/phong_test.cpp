@@ -15,7 +15,7 @@
 #include "study/proofs/phong_bounds.hpp"
 #include "tests/config_path.hpp"
 #include "tests/shade/lit_configs.hpp"
-#include "vectors/awkward_normals.hpp"
+#include "vectors/frames/awkward.hpp"
 #include "vectors/standard_set.hpp"
 
 namespace halfspace::tests {

@@ -9,7 +9,7 @@
 #include "model/formats/field_value.hpp"
 #include "model/pipeline/engine.hpp"
 #include "model/shade/lighting_records.hpp"
-#include "vectors/awkward_normals.hpp"
+#include "vectors/frames/awkward.hpp"
 #include "vectors/standard_set.hpp"
 
 using TopNormalDatabase = halfspace::NormalDatabase<halfspace::TopFormats>;

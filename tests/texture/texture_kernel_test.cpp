@@ -14,6 +14,7 @@
 #include "tests/config_path.hpp"
 #include "tests/texture/texture_kernels.hpp"
 #include "tests/texture/textured_configs.hpp"
+#include "vectors/frames/awkward.hpp"
 #include "vectors/standard_set.hpp"
 
 namespace halfspace::tests {

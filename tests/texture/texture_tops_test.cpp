@@ -8,6 +8,7 @@
 #include "hls/texture/texture_setup.hpp"
 #include "hls/top/fields.hpp"
 #include "model/texture/texture_records.hpp"
+#include "vectors/frames/awkward.hpp"
 #include "vectors/standard_set.hpp"
 
 using TopTextureDatabase = halfspace::TextureDatabase<halfspace::TopFormats>;

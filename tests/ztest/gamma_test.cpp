@@ -13,7 +13,7 @@
 #include "ref/geometry/geometry.hpp"
 #include "ref/scene/scene.hpp"
 #include "study/fit/fit.hpp"
-#include "vectors/extremes.hpp"
+#include "vectors/frames/extremes.hpp"
 #include "vectors/standard_set.hpp"
 
 namespace halfspace::tests {

@@ -1,28 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 // The numerical extremes: frames that need every bit of every width in hls/formats/formats.hpp, for any configuration.
 // The note of a frame says which.
-#ifndef HALFSPACE_VECTORS_EXTREMES_HPP_
-#define HALFSPACE_VECTORS_EXTREMES_HPP_
+#ifndef HALFSPACE_VECTORS_FRAMES_EXTREMES_HPP_
+#define HALFSPACE_VECTORS_FRAMES_EXTREMES_HPP_
 
 #include <vector>
 
-#include "vectors/vector_set.hpp"
+#include "model/pipeline/named_frame.hpp"
+#include "ref/geometry/snap.hpp"
 
 namespace halfspace::model {
 
-// Shapes: vectors/extremes_shape.cpp
+// Shapes: vectors/frames/extremes_shape.cpp
 std::vector<NamedFrame> smallest_area_frames(const ref::RasterFormat&);
 std::vector<NamedFrame> centre_frames(const ref::RasterFormat&);
 std::vector<NamedFrame> box_frames(const ref::RasterFormat&);
 std::vector<NamedFrame> sliver_frames(const ref::RasterFormat&);
 std::vector<NamedFrame> guard_band_frames(const ref::RasterFormat&);
 std::vector<NamedFrame> order_frames(const ref::RasterFormat&);
-// Values: vectors/extremes_value.cpp
+// Values: vectors/frames/extremes_value.cpp
 std::vector<NamedFrame> reciprocal_frames(const ref::RasterFormat&);
 std::vector<NamedFrame> gradient_frames(const ref::RasterFormat&);
 std::vector<NamedFrame> equal_depth_frames(const ref::RasterFormat&);
 std::vector<NamedFrame> full_scale_frames(const ref::RasterFormat&);
-// Positions and sizes: vectors/extremes_frame.cpp
+// Positions and sizes: vectors/frames/extremes_frame.cpp
 std::vector<NamedFrame> snapped_frames(const ref::RasterFormat&);
 std::vector<NamedFrame> frame_size_frames(const ref::RasterFormat&);
 // Too large for the standard set: the largest frame, and the last index behind triangles without area.
@@ -43,4 +44,4 @@ ref::TriangleList finer_than_the_grid(const ref::RasterFormat& format);
 
 }  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_EXTREMES_HPP_
+#endif  // HALFSPACE_VECTORS_FRAMES_EXTREMES_HPP_

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Builds frames in sub-pixels of any format.
-#ifndef HALFSPACE_VECTORS_FRAME_BUILDER_HPP_
-#define HALFSPACE_VECTORS_FRAME_BUILDER_HPP_
+#ifndef HALFSPACE_VECTORS_FRAMES_FRAME_BUILDER_HPP_
+#define HALFSPACE_VECTORS_FRAMES_FRAME_BUILDER_HPP_
 
 #include <algorithm>
 #include <array>
@@ -92,4 +92,4 @@ inline void push_frame(std::vector<NamedFrame>& frames, const std::string& note,
 
 }  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_FRAME_BUILDER_HPP_
+#endif  // HALFSPACE_VECTORS_FRAMES_FRAME_BUILDER_HPP_

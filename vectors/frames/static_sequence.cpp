@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/static_sequence.hpp"
+#include "vectors/frames/static_sequence.hpp"
 
 #include <fmt/format.h>
 
-#include "vectors/moving_scene.hpp"
+#include "vectors/frames/moving_scene.hpp"
 
 namespace halfspace::model {
 

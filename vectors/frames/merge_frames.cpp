@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/merge_frames.hpp"
+#include "vectors/frames/merge_frames.hpp"
 
 #include <algorithm>
 #include <random>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // A sequence of the static objects buffer as hs_pipeline and ztest_merge see it: passes, and runs.
-#ifndef HALFSPACE_VECTORS_STATIC_SEQUENCE_HPP_
-#define HALFSPACE_VECTORS_STATIC_SEQUENCE_HPP_
+#ifndef HALFSPACE_VECTORS_FRAMES_STATIC_SEQUENCE_HPP_
+#define HALFSPACE_VECTORS_FRAMES_STATIC_SEQUENCE_HPP_
 
 #include <vector>
 
 #include "model/drivers/static_frames.hpp"
-#include "vectors/merge_frames.hpp"
+#include "vectors/frames/merge_frames.hpp"
 
 namespace halfspace::model {
 
@@ -22,4 +22,4 @@ StaticSequence static_sequence(const StaticFramesOptions& options, int objects, 
 
 }  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_STATIC_SEQUENCE_HPP_
+#endif  // HALFSPACE_VECTORS_FRAMES_STATIC_SEQUENCE_HPP_

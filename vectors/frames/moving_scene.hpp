@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A small scene whose objects start and stop at random and come to stand in each other's places: what tests of the
 // static objects buffer and its vector sets draw.
-#ifndef HALFSPACE_VECTORS_MOVING_SCENE_HPP_
-#define HALFSPACE_VECTORS_MOVING_SCENE_HPP_
+#ifndef HALFSPACE_VECTORS_FRAMES_MOVING_SCENE_HPP_
+#define HALFSPACE_VECTORS_FRAMES_MOVING_SCENE_HPP_
 
 #include <cstdint>
 #include <random>
@@ -41,4 +41,4 @@ class SceneMotion {
 
 }  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_MOVING_SCENE_HPP_
+#endif  // HALFSPACE_VECTORS_FRAMES_MOVING_SCENE_HPP_

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/extremes.hpp"
+#include "vectors/frames/extremes.hpp"
 
 namespace halfspace::model {
 

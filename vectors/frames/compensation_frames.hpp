@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Frames for motion_compensate alone, each with what it is for: neither pictures nor anything that moves.
-#ifndef HALFSPACE_VECTORS_COMPENSATION_FRAMES_HPP_
-#define HALFSPACE_VECTORS_COMPENSATION_FRAMES_HPP_
+#ifndef HALFSPACE_VECTORS_FRAMES_COMPENSATION_FRAMES_HPP_
+#define HALFSPACE_VECTORS_FRAMES_COMPENSATION_FRAMES_HPP_
 
 #include <string>
 #include <vector>
@@ -27,4 +27,4 @@ NamedCompensation warm_frame(const Config& config, int words, std::uint64_t seed
 
 }  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_COMPENSATION_FRAMES_HPP_
+#endif  // HALFSPACE_VECTORS_FRAMES_COMPENSATION_FRAMES_HPP_

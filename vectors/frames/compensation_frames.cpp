@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/compensation_frames.hpp"
+#include "vectors/frames/compensation_frames.hpp"
 
 #include <algorithm>
 #include <random>

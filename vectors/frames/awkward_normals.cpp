@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/awkward_normals.hpp"
+#include "vectors/frames/awkward.hpp"
 
 #include <algorithm>
 #include <random>
 
-#include "vectors/frame_builder.hpp"
+#include "vectors/frames/frame_builder.hpp"
 
 namespace halfspace::model {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs for ztest_merge alone, each with what it is for: buffers that nothing has drawn.
-#ifndef HALFSPACE_VECTORS_MERGE_FRAMES_HPP_
-#define HALFSPACE_VECTORS_MERGE_FRAMES_HPP_
+#ifndef HALFSPACE_VECTORS_FRAMES_MERGE_FRAMES_HPP_
+#define HALFSPACE_VECTORS_FRAMES_MERGE_FRAMES_HPP_
 
 #include <string>
 #include <vector>
@@ -28,4 +28,4 @@ std::vector<NamedMerge> merge_frames(const Config& config, std::uint64_t seed);
 
 }  // namespace halfspace::model
 
-#endif  // HALFSPACE_VECTORS_MERGE_FRAMES_HPP_
+#endif  // HALFSPACE_VECTORS_FRAMES_MERGE_FRAMES_HPP_

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "vectors/extremes.hpp"
-#include "vectors/frame_builder.hpp"
+#include "vectors/frames/extremes.hpp"
+#include "vectors/frames/frame_builder.hpp"
 
 namespace halfspace::model {
 

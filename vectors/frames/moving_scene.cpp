@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vectors/moving_scene.hpp"
+#include "vectors/frames/moving_scene.hpp"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <utility>

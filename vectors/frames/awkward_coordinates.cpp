@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "vectors/frames/awkward.hpp"
+
 #include <algorithm>
 #include <random>
 

@@ -2,8 +2,8 @@
 // Extremes of coverage. c: bits of a position; S = 2^c − 1: the side of the guard band in sub-pixels.
 #include <fmt/format.h>
 
-#include "vectors/extremes.hpp"
-#include "vectors/frame_builder.hpp"
+#include "vectors/frames/extremes.hpp"
+#include "vectors/frames/frame_builder.hpp"
 
 namespace halfspace::model {
 
