@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vector sets: a folder with a text file a stream, for $readmemh, and manifest.json (see docs/architecture.md).
+// Vector sets: a folder with a text file a stream, for $readmemh, and manifest.json (see docs/vectors.md).
 #ifndef HALFSPACE_VECTORS_VECTOR_SET_HPP_
 #define HALFSPACE_VECTORS_VECTOR_SET_HPP_
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A vector set: manifest.json and one .hex file a stream, as docs/architecture.md describes them.
+// A vector set: manifest.json and one .hex file a stream, as docs/vectors.md describes them.
 //
 // Nothing here knows the records: the fields come from the manifest. Whatever is wrong with the files ends in an
 // Error of one sentence that names the file, the place and the remedy.
