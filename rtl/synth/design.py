@@ -10,18 +10,20 @@ so a part has the same text whenever it is the same hardware.
 import dataclasses
 import pathlib
 import re
+import sys
 import tempfile
 
 from rtlil import TOP, canonical, memories, module, ports
 from tools import AreaError, run, say
 
-UNITS = ("triangle_setup", "light_vertex", "shade_setup", "phong_setup", "raster_pineda", "ztest_index", "ztest_plane",
-         "scan_index",
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+from units import CONFIG, LANES, below, constants, has, parameters  # noqa: E402
+
+UNITS = ("triangle_setup", "light_vertex", "shade_setup", "phong_setup", "raster_pineda", "ztest_index", "ztest_plane", "scan_index",
          "shade_gouraud", "shade_phong", "scan_object", "ztest_merge")
 COMPOSITION = "composition"
 # Memories of the frame, which an FPGA may hold elsewhere: they are counted in bits, not mapped.
 BUFFERS = ("depth_buffer", "visibility_database", "index_buffer", "shading_database", "object_table")
-LANES = {1: (1, 1), 2: (2, 1), 4: (2, 2), 8: (4, 2), 16: (4, 4)}
 
 
 @dataclasses.dataclass
@@ -53,7 +55,7 @@ def opened(package, lanes):
     except (OSError, UnicodeDecodeError) as error:
         raise AreaError(f"cannot read the package {package} ({getattr(error, 'strerror', None) or 'not text'}): "
                         "print one with `halfspace package`") from None
-    named = re.search(r"Number formats of configuration `([^`]+)`", text)
+    named = CONFIG.search(text)
     if not named or "package hs_formats_pkg" not in text:
         raise AreaError(f"{package} is not a package of number formats: print one with `halfspace package`")
     return text, named.group(1), f"{package}, {lanes} lane{'s' * (lanes > 1)}"
@@ -64,7 +66,7 @@ def elaborate_alone(yosys, rtl, package, lanes, units):
     package, rtl = pathlib.Path(package), pathlib.Path(rtl).resolve()
     text, config, title = opened(package, lanes)
     for unit in units:
-        if not in_pipeline(unit, text):
+        if not has(unit, constants(text)):
             raise AreaError(f"{title}: its configuration has no {unit}: take another, or leave the unit out")
     say(f"{title}: elaboration")
     parts = {unit: unit_alone(yosys, rtl, package, lanes, title, text, unit) for unit in units}
@@ -72,32 +74,9 @@ def elaborate_alone(yosys, rtl, package, lanes, units):
 
 
 def unit_alone(yosys, rtl, package, lanes, title, text, unit):
-    """A unit with nothing read but what it stands on: how Yosys names and orders depends on all that it has read
-    before."""
-    bodies = flatten(yosys, rtl, package, f"hs_{unit}", lanes, title, values=values(text, unit))
+    """A unit with nothing read but what it stands on: how Yosys names and orders depends on all that it has read before."""
+    bodies = flatten(yosys, rtl, package, f"hs_{unit}", lanes, title, text)
     return part(unit, bodies, next(name for name in bodies if re.fullmatch(rf"(.*\\)?hs_{unit}", name)))
-
-
-def constants(text):
-    """{name: number} of a package."""
-    return {name: int(number) for name, number in re.findall(r"localparam int unsigned (\w+) = (\d+);", text)}
-
-
-def in_pipeline(unit, text):
-    """Whether the pipeline of the package has the unit."""
-    found = constants(text)
-    objects, lights, phong = (found.get(name, 0) for name in ("HasObjects", "Lights", "Phong"))
-    gamma = found["HasDepth"] and not found["StoresDepth"]
-    return {"ztest_index": not gamma, "ztest_plane": gamma, "light_vertex": lights and not phong, "phong_setup": phong,
-            "shade_phong": phong, "shade_setup": not phong, "shade_gouraud": not phong, "scan_object": objects,
-            "ztest_merge": objects}.get(unit, True)
-
-
-def values(text, unit):
-    """Of the parameters that have no defaults: {name: value}, from the package."""
-    found = constants(text)
-    return {"light_vertex": lambda: {"Vertices": 3 if found["Gouraud"] else 1},
-            "phong_setup": lambda: {"NormalBits": found["NormalBits"]}}.get(unit, dict)()
 
 
 def elaborate(yosys, rtl, package, lanes, units):
@@ -105,13 +84,12 @@ def elaborate(yosys, rtl, package, lanes, units):
     package, rtl = pathlib.Path(package), pathlib.Path(rtl).resolve()
     text, config, title = opened(package, lanes)
     say(f"{title}: elaboration")
-    parts = {unit: unit_alone(yosys, rtl, package, lanes, title, text, unit) for unit in units
-             if in_pipeline(unit, text)}
+    parts = {unit: unit_alone(yosys, rtl, package, lanes, title, text, unit) for unit in units if has(unit, constants(text))}
     # A module of its own for each instance: no queue shares the module of a memory of the frame.
     keep = (f"uniquify; select -set memories {' '.join(f'hs_pipeline.*u_{name}*' for name in BUFFERS)} "
             f"{'%u ' * (len(BUFFERS) - 1)} A:hdlname=*hs_ram_1r1w %i; "
             f"setattr -mod -set keep_hierarchy 1 @memories {' '.join(f'hs_pipeline.*u_{name}' for name in UNITS)}; ")
-    bodies = flatten(yosys, rtl, package, "hs_pipeline", lanes, title, keep)
+    bodies = flatten(yosys, rtl, package, "hs_pipeline", lanes, title, text, keep)
     parts[COMPOSITION] = part(COMPOSITION, bodies, "\\hs_pipeline")
     buffers = {}
     for name, body in bodies.items():
@@ -124,32 +102,16 @@ def elaborate(yosys, rtl, package, lanes, units):
     return Design(str(package), config, lanes, parts, buffers)
 
 
-def below(rtl, top):
-    """{stem: path} of the sources of a module and of all that it instantiates."""
-    paths = {path.stem: path for path in rtl.glob("*/hs_*.sv")}
-    found, waiting = {}, [top]
-    while waiting:
-        stem = waiting.pop()
-        if stem not in found and stem in paths:
-            found[stem] = paths[stem]
-            waiting += re.findall(r"^\s*(hs_\w+)\s+(?:#\s*\(|u_\w+)", paths[stem].read_text(), re.MULTILINE)
-    if top not in found:
-        raise AreaError(f"there is no {top}.sv in {rtl}: name the folder with --rtl")
-    return dict(sorted(found.items()))
-
-
-def flatten(yosys, rtl, package, top, lanes, title, keep="", values=()):
+def flatten(yosys, rtl, package, top, lanes, title, text, keep=""):
     """{name: RTLIL} of a module, flat but for the modules that the commands `keep` mark."""
-    sources = below(rtl, top)
-    given = dict(values)
-    if re.search(r"\bparameter\b.*\bLanesX\b", sources[top].read_text()):
-        given["LanesX"], given["LanesY"] = LANES[lanes]
-    parameters = " ".join(f"-chparam {name} {value}" for name, value in given.items())
+    sources = below(top, rtl)
+    if not sources:
+        raise AreaError(f"there is no {top}.sv in {rtl}: name the folder with --rtl")
+    given = " ".join(f"-chparam {name} {value}" for name, value in parameters(sources[top].read_text(), lanes, constants(text)).items())
     with tempfile.TemporaryDirectory(prefix="halfspace-area-") as folder:
         out = pathlib.Path(folder) / "flat.il"
-        files = " ".join(str(path.relative_to(rtl)) for path in sources.values())
-        script = (f'read_verilog -sv "{package.resolve()}" {files}; '
-                  f"hierarchy -check -top {top} {parameters}; proc; chformal -remove; check -assert; {keep}"
+        script = (f'read_verilog -sv "{package.resolve()}" {" ".join(str(path.relative_to(rtl)) for path in sources.values())}; '
+                  f"hierarchy -check -top {top} {given}; proc; chformal -remove; check -assert; {keep}"
                   f'flatten; opt_clean; write_rtlil "{out}"')
         run([yosys, "-q", "-p", script], title, cwd=rtl)
         found = re.findall(r"^module (\S+)\n(.*?)^end$", out.read_text(), re.MULTILINE | re.DOTALL)

@@ -1,0 +1,78 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""The modules of the RTL: where they lie, what stands below one, which units a configuration has, and their parameters.
+
+Prints the units of the pipeline of PACKAGE, one a line. Usage: units.py PACKAGE"""
+import pathlib
+import re
+import sys
+
+RTL = pathlib.Path(__file__).resolve().parent
+LANES = {1: (1, 1), 2: (2, 1), 4: (2, 2), 8: (4, 2), 16: (4, 4)}
+CONFIG = re.compile(r"^// Number formats of configuration `([\w-]+)`", re.MULTILINE)
+# Configurations that have a unit, by the numbers of their package; the others of hls/units.txt are in every pipeline.
+GAMMA, PHONG, MOTION = (lambda c: c["HasDepth"] and not c["StoresDepth"]), (lambda c: c["Phong"]), (lambda c: c["HasMotion"])
+OBJECTS, TEXTURE = (lambda c: c["HasObjects"]), (lambda c: c["HasTexture"])
+HAVE = {"ztest_index": lambda c: not GAMMA(c), "ztest_plane": GAMMA,
+        "visible_select": lambda c: c["Lights"] or TEXTURE(c) or MOTION(c),
+        "shade_setup": lambda c: not PHONG(c) and not MOTION(c), "shade_gouraud": lambda c: not PHONG(c) and not MOTION(c),
+        "light_vertex": lambda c: c["Lights"] and not PHONG(c), "phong_setup": PHONG, "shade_phong": PHONG,
+        "texture_setup": TEXTURE, "shade_texture": TEXTURE,
+        "motion_setup": MOTION, "motion_field": MOTION, "motion_compensate": MOTION,
+        "scan_object": OBJECTS, "ztest_merge": OBJECTS}
+BESIDE = ("motion_compensate", "ztest_merge")  # not in the pipeline: memories lie between
+
+
+def units():
+    """Every unit, in the order of the pipeline and then what stands beside it."""
+    text = (RTL.parent / "hls" / "units.txt").read_text()
+    return [name for name in re.findall(r"^[a-z]+/(\w+)$", text, re.MULTILINE) if name != "pipeline"]
+
+
+def constants(package):
+    """{name: number} of the text of a package."""
+    return {name: int(number) for name, number in re.findall(r"localparam int unsigned (\w+) = (\d+);", package)}
+
+
+def has(unit, numbers):
+    """Whether the configuration with these numbers has the unit."""
+    return bool(HAVE.get(unit, lambda c: True)(numbers))
+
+
+def sources(rtl=RTL):
+    """{stem: path} of every module."""
+    return {path.stem: path for path in sorted(rtl.glob("*/hs_*.sv"))}
+
+
+def below(top, rtl=RTL):
+    """{stem: path} of a module and of all that it instantiates; nothing if there is no such module."""
+    paths = sources(rtl)
+    found, waiting = {}, [top]
+    while waiting:
+        stem = waiting.pop()
+        if stem not in found and stem in paths:
+            found[stem] = paths[stem]
+            waiting += re.findall(r"^\s*(hs_\w+)\s+(?:#\s*\(|u_\w+)", paths[stem].read_text(), re.MULTILINE)
+    return dict(sorted(found.items()))
+
+
+def parameters(module, lanes, numbers):
+    """{name: value} that a module is given: the lanes where it has them; and each parameter without a default has the value of the constant
+    of that name in the package. Vertices is no constant: three have a colour, or the triangle has."""
+    known = {**numbers, "Vertices": 3 if numbers.get("Gouraud") else 1, "LanesX": LANES[lanes][0], "LanesY": LANES[lanes][1]}
+    head = module[:module.index(");")] if ");" in module else module
+    given = {}
+    for name, default in re.findall(r"^\s*parameter int unsigned (\w+)( =)?", head, re.MULTILINE):
+        if name in ("LanesX", "LanesY") or not default:
+            given[name] = known[name]
+    return given
+
+
+def main():
+    numbers = constants(pathlib.Path(sys.argv[1]).read_text())
+    print("\n".join(unit for unit in units() if has(unit, numbers) and unit not in BESIDE))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
