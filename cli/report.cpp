@@ -20,7 +20,8 @@ namespace {
 
 struct Options {
   SceneInput input;
-  std::string out, cosim, units, rtl_frame, json;
+  std::string out, cosim, rtl_frame, json;
+  std::vector<std::string> units;
 };
 
 Json read_json(const std::string& path) {
@@ -32,6 +33,17 @@ Json read_json(const std::string& path) {
         fmt::format("{}: not a report of the co-simulation: give what --json of a tb_ program wrote", path));
   }
   return json;
+}
+
+// The reports of several programs as one.
+Json read_all(const std::vector<std::string>& paths) {
+  Json all = {{"runs", Json::array()}, {"passed", true}};
+  for (const std::string& path : paths) {
+    const Json one = read_json(path);
+    for (const Json& run : one["runs"]) all["runs"].push_back(run);
+    if (!one.value("passed", true)) all["passed"] = false;
+  }
+  return all;
 }
 
 // The frame that the RTL drew, as raw RGBA.
@@ -136,7 +148,7 @@ Json print_table(const Json& cosim, const Json& units, const model::Accuracy& a,
 }
 
 int report(const Options& options) {
-  const Json cosim = read_json(options.cosim), units = read_json(options.units);
+  const Json cosim = read_json(options.cosim), units = read_all(options.units);
   const LoadedScene loaded = load_snapped(options.input);
   if (loaded.between) {
     throw ref::Error(
@@ -190,7 +202,7 @@ void add_report(CLI::App& app, int& status) {
   add_scene_options(command, options->input);
   command->add_option("--out", options->out, "folder for the pictures")->required();
   command->add_option("--cosim", options->cosim, "JSON that tb_pipeline wrote");
-  command->add_option("--units", options->units, "JSON that tb_units wrote");
+  command->add_option("--units", options->units, "JSON that the benches of units wrote, a file each");
   command->add_option("--rtl-frame", options->rtl_frame, "RGBA frame that tb_pipeline wrote");
   command->add_option("--json", options->json, "file for the numbers");
   command->callback([options, &status] { status = report(*options); });

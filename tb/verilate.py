@@ -1,14 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Turns one top module into C++ with names that a build can know beforehand.
+"""Turns one module of the RTL, with the modules below it, into C++ with names that a build can know beforehand.
 
 Verilator names its files by the hash of what is in them. This runs it with the prefix Vmodel and leaves in --out:
   Vmodel.h   the class
   ports.inc  HS_PORT(name, bits, is_input) for every port, with the width in bits, which sizeof does not tell,
              HS_WATCH(stream, path, bits) for every hs_stream inside, path being its C++ name without its wires, and
              HS_CONSTANT(name, value) for every number of the package
+  title.inc  what the model is: HS_TOP, HS_CONFIG, HS_LANES_X, HS_LANES_Y
   fast.cpp   includes what runs every cycle
   slow.cpp   includes constructors and reset
+  model.cpp  includes both and their binding to the harness: of a unit the headers cost more than the model
 """
 
 import argparse
@@ -17,68 +19,111 @@ import re
 import subprocess
 import sys
 
-CONSTANT = re.compile(r"^\s*localparam\s+int(?:\s+unsigned)?\s+(\w+)\s*=\s*(\d+);", re.MULTILINE)
+TB = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(TB.parent / "rtl"))
+from units import CONFIG, LANES, RTL, below, constants, parameters  # noqa: E402
+
 PORT = re.compile(r"^\s*VL_(IN|OUT)(?:8|16|64|W)?\(&?(\w+),(\d+),(\d+)")
 # The instance u_stream_<name>, inside of generate blocks, too, which a netlist has in its name: `.` is 02e there.
 WATCH = re.compile(r"^\s*[\w<>]+/\*(\d+):0\*/ (\w*u_stream_(\w+?))__DOT__word_i;$", re.MULTILINE)
-HERE = pathlib.Path(__file__).resolve().parent
+# Random starting values cost nothing while the model runs, and show what depends on a reset that is not there.
+FLAGS = ["-O3", "--x-assign", "fast", "--x-initial", "unique", "--noassert", "-Wno-fatal"]
 
 
-def verilate(args):
-    out = pathlib.Path(args.out)
+class Broken(Exception):
+    """It could not be built: a sentence."""
+
+
+def run(command, what):
+    result = subprocess.run([str(part) for part in command], capture_output=True, text=True)
+    if result.returncode:
+        raise Broken(f"{what} failed: {(result.stdout + result.stderr).strip()[:2000]}")
+    return result.stdout
+
+
+def ports(header):
+    found = []
+    for line in header.read_text().splitlines():
+        if match := PORT.match(line):
+            direction, name, msb, lsb = match.groups()
+            found.append(f"HS_PORT({name}, {int(msb) - int(lsb) + 1}, {int(direction == 'IN')})\n")
+    if not found:
+        raise Broken(f"{header}: no port found; this Verilator prints them in another way")
+    return found
+
+
+def watches(header, of_ports):
+    found = {}
+    for msb, path, stream in WATCH.findall(header.read_text()):
+        if stream in found or any(port.startswith(f"HS_PORT({stream}_valid_") for port in of_ports):
+            raise Broken(f"u_stream_{stream} is the name of two streams, of an hs_stream and another or a port")
+        found[stream] = f"HS_WATCH({stream}, {path}, {int(msb) + 1})\n"
+    return list(found.values())
+
+
+def netlist_of(read, top, given, out, yosys):
+    """What Yosys understands of the sources, written out as Verilog. The memories of the pipeline have to be memories."""
+    files = " ".join(f'"{path}"' for path in read)
+    chosen = " ".join(f"-chparam {name} {value}" for name, value in given.items())
+    memories = "select -assert-min 6 */t:$mem_v2; " if top == "hs_pipeline" else ""
+    run([yosys, "-q", "-p", f"read_verilog -sv {files}; hierarchy -check -top {top} {chosen}; proc; opt; memory_collect; check -assert; "
+         f'{memories}chformal -remove; opt_clean; write_verilog -noattr "{out}"'], "yosys")
+
+
+def verilate(package, top, lanes, out, rtl=RTL, verilator="verilator", yosys=None):
+    """Fills the folder `out`; the sources that were read. With `yosys`: of the netlist that it makes."""
+    name = CONFIG.search(package.read_text()) if package.exists() else None
+    if not name:
+        raise Broken(f"{package}: no package of formats: print one with `halfspace package --config C -o {package}`")
+    sources = below(top, rtl)
+    if not sources:
+        raise Broken(f"there is no module {top} in {rtl}")
+    numbers = constants(package.read_text())
     out.mkdir(parents=True, exist_ok=True)
     for old in out.glob("Vmodel*"):
         old.unlink()
-    command = [args.verilator, "--cc", "--prefix", "Vmodel", "--Mdir", str(out), "--top-module", args.top, *args.flag,
-               str(HERE / "watch.vlt")]
-    if not args.netlist:  # which has no parameters any more
-        command += [f"-GLanesX={args.lanes_x}", f"-GLanesY={args.lanes_y}", args.package]
-    command += args.sources
-    result = subprocess.run(command, capture_output=True, text=True)
-    sys.stderr.write(result.stdout + result.stderr)
-    return result.returncode
-
-
-def write_sources(out, package):
-    ports = []
-    for line in (out / "Vmodel.h").read_text().splitlines():
-        if match := PORT.match(line):
-            direction, name, msb, lsb = match.groups()
-            ports.append(f"HS_PORT({name}, {int(msb) - int(lsb) + 1}, {int(direction == 'IN')})\n")
-    if not ports:
-        return f"{out}/Vmodel.h: no port found; this Verilator prints them in another way"
-    watches = {}
-    for msb, path, stream in WATCH.findall((out / "Vmodel___024root.h").read_text()):
-        if stream in watches or any(port.startswith(f"HS_PORT({stream}_valid_") for port in ports):
-            return f"u_stream_{stream} is the name of two streams, of an hs_stream and another or a port"
-        watches[stream] = f"HS_WATCH({stream}, {path}, {int(msb) + 1})\n"
-    constants = [f"HS_CONSTANT({name}, {value})\n" for name, value in CONSTANT.findall(package.read_text())]
-    (out / "ports.inc").write_text("".join([*ports, *watches.values(), *constants]))
+    given = parameters(sources[top].read_text(), lanes, numbers)
+    read = [package, *sources.values()]
+    inputs = [*(f"-G{name}={value}" for name, value in given.items()), *read]
+    if yosys:
+        netlist_of(read, top, given, out / "netlist.v", yosys)
+        inputs = [out / "netlist.v"]  # which has no parameters any more
+    run([verilator, "--cc", "--prefix", "Vmodel", "--Mdir", out, "--top-module", top, *FLAGS,
+         TB / "lint.vlt", TB / "watch.vlt", *inputs], verilator)
+    found = ports(out / "Vmodel.h")
+    found += watches(out / "Vmodel___024root.h", found)
+    found += [f"HS_CONSTANT({name}, {value})\n" for name, value in numbers.items()]
+    (out / "ports.inc").write_text("".join(found))
+    lanes_x, lanes_y = LANES[lanes]
+    (out / "title.inc").write_text(f'#define HS_TOP "{top}"\n#define HS_CONFIG "{name.group(1)}"\n#define HS_LANES_X {lanes_x}\n'
+                                   f"#define HS_LANES_Y {lanes_y}\n")
     files = sorted(path.name for path in out.glob("Vmodel*.cpp"))
     is_slow = [name.endswith("__Slow.cpp") or name == "Vmodel__Syms.cpp" for name in files]
     for target, slow in (("fast.cpp", False), ("slow.cpp", True)):
         chosen = [name for name, s in zip(files, is_slow) if s == slow]
         (out / target).write_text("".join(f'#include "{name}"\n' for name in chosen))
-    return ""
+    (out / "model.cpp").write_text('#include "fast.cpp"\n#include "slow.cpp"\n#include "tb/harness/binding.cpp"\n')
+    return read
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--verilator", default="verilator", help="the program (default: %(default)s)")
-    parser.add_argument("--top", required=True, help="top module")
-    parser.add_argument("--lanes-x", type=int, required=True)
-    parser.add_argument("--lanes-y", type=int, required=True)
-    parser.add_argument("--out", required=True, help="folder for the C++")
-    parser.add_argument("--flag", action="append", default=[], help="a further flag of Verilator: --flag=-O3")
-    parser.add_argument("--package", required=True, help="hs_formats_pkg.sv of the configuration")
-    parser.add_argument("--netlist", action="store_true", help="the source is a netlist: no parameters, no package")
-    parser.add_argument("sources", nargs="+", help="waivers and SystemVerilog files")
+    parser.add_argument("--top", required=True, help="the module")
+    parser.add_argument("--lanes", type=int, required=True, choices=sorted(LANES))
+    parser.add_argument("--out", type=pathlib.Path, required=True, help="folder for the C++")
+    parser.add_argument("--package", type=pathlib.Path, required=True, help="hs_formats_pkg.sv of the configuration")
+    parser.add_argument("--yosys", help="this program, to take the netlist that it makes of the module")
+    parser.add_argument("--depfile", type=pathlib.Path, help="write the sources that were read here, for the build")
     args = parser.parse_args()
-    if code := verilate(args):
-        return code
-    if sentence := write_sources(pathlib.Path(args.out), pathlib.Path(args.package)):
-        print(f"verilate: {sentence}", file=sys.stderr)
+    try:
+        read = verilate(args.package, args.top, args.lanes, args.out, verilator=args.verilator, yosys=args.yosys)
+    except Broken as e:
+        print(f"verilate: {e}", file=sys.stderr)
         return 1
+    if args.depfile:
+        names = " ".join(str(path).replace(" ", "\\ ") for path in read)
+        args.depfile.write_text(f"{args.out / 'model.cpp'}: {names}\n")
     return 0
 
 

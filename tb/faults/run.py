@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tests the tester: puts one fault at a time into a copy of the RTL and demands that the benches say so.
 
-A fault passes when the bench of its unit, and no other, reports it in the words that faults.txt expects; that every
-other unit still agrees with the vectors on more than zero words; and that the program ends with a failure. A control
-run without a fault has to pass first. Judged by the text that is printed: an exit status alone also comes from a
-model that was not built or a set that is not there.
+A fault passes when the bench of its unit, and no other, reports it in the words that faults.txt expects and ends with a failure; and
+when every other unit that stands on the faulty file still agrees with the vectors on more than zero words. Units that do not stand on it
+are not built: they are the same as without the fault. A control run of all without a fault has to pass first. Judged by the text that is
+printed: an exit status alone also comes from a model that was not built or a set that is not there.
 """
 
 import argparse
@@ -20,12 +20,10 @@ import time
 HERE = pathlib.Path(__file__).resolve().parent
 TB = HERE.parent
 sys.path.insert(0, str(TB))
-from model import LANES_X, Broken, build, run  # noqa: E402
+from model import LANES, Broken, build, run  # noqa: E402
+from units import below  # noqa: E402
 
 KEYS = ["why", "file", "find", "with", "unit", "says"]
-# That a top has; the whole pipeline is one, of which no stream but the one that `says` names may report.
-UNITS = {"hs_units": 6, "hs_light_units": 4, "hs_phong_units": 4, "hs_texture_units": 2, "hs_motion_units": 2, "hs_compensate_units": 1,
-         "hs_merge_units": 1, "hs_pipeline": 1}
 BENCH = re.compile(r"^(?:bench (\w+)|cosim) \S+ \w+: (\d+) words on \d+ streams compared, (\d+) mismatches, \d+ cycles$",
                    re.MULTILINE)
 FAIL = re.compile(r"^FAIL (\w+): (.*)$", re.MULTILINE)
@@ -57,54 +55,61 @@ def seed_fault(fault, rtl):
     path.write_text(text.replace(fault["find"], fault["with"]))
 
 
-def judge(output, status, guilty, says, units):
-    """What is wrong with a report, or ''. `guilty`: the units that have to fail, of at least `units` that report."""
-    benches = {unit or "pipeline": (int(words), int(mismatches)) for unit, words, mismatches in BENCH.findall(output)}
-    reports = {}
-    for unit, text in FAIL.findall(output):
-        reports.setdefault(unit, []).append(text)
-    if len(benches) < units:
-        return f"only {len(benches)} of {units} units reported"
-    for unit, (words, mismatches) in benches.items():
-        if unit not in guilty:
-            if words == 0 or mismatches or unit in reports:
-                return f"{unit} reports what is not its fault: {(reports.get(unit) or ['no words'])[0]}"
-        elif mismatches == 0 or unit not in reports:
-            return f"{unit} reports nothing"
-        elif not (all if unit == "pipeline" else any)(re.search(says, text) for text in reports[unit]):
-            return f"{unit} does not say '{says}' but: {' | '.join(reports[unit])}"
-    if missing := guilty - set(benches):
-        return f"there is no unit {', '.join(missing)}"
-    return "" if (status != 0) == bool(guilty) else f"the exit status is {status}"
+def judge(unit, output, status, says):
+    """What is wrong with the report of a unit, or ''. `says`: what it has to report; None: nothing. Of the pipeline no stream but the one that
+    `says` names may report."""
+    benches = BENCH.findall(output)
+    if [name or "pipeline" for name, _, _ in benches] != [unit]:
+        return f"{unit} does not end with its report"
+    words, mismatches = int(benches[0][1]), int(benches[0][2])
+    reports = [text for _, text in FAIL.findall(output)]
+    if says is None:
+        return f"{unit} reports what is not its fault: {(reports or ['no words'])[0]}" if words == 0 or mismatches or reports or status else ""
+    if mismatches == 0 or not reports or not status:
+        return f"{unit} reports nothing"
+    if not (all if unit == "pipeline" else any)(re.search(says, text) for text in reports):
+        return f"{unit} does not say '{says}' but: {' | '.join(reports)}"
+    return ""
+
+
+def try_unit(args, unit, says, work):
+    """What is wrong with the bench of the unit in a copy of the RTL, or ''; and what it reports."""
+    package = args.package or work / "rtl" / "formats" / args.config / "hs_formats_pkg.sv"
+    bench = build(package, args.lanes, f"hs_{unit}", work / unit, args.library, rtl=work / "rtl", verilator=args.verilator, cxx=args.cxx)
+    result = subprocess.run([bench, args.vectors, "--stall", "30", "--seed", "1"], capture_output=True, text=True, timeout=600)
+    output = result.stdout + result.stderr
+    (work / f"{unit}.txt").write_text(output)
+    return judge(unit, output, result.returncode, says), [text for _, text in FAIL.findall(output)]
 
 
 def try_fault(args, fault):
     """Whether it passed, and a line that tells. No fault: the control run."""
     name = fault["name"] if fault else "control"
     guilty = fault["unit"].split() if fault else []
+    touched = [unit for unit in args.units if not fault or fault["file"].removesuffix(".sv") in below(f"hs_{unit}", args.rtl)]
     work = args.work / name
     shutil.rmtree(work, ignore_errors=True)
     shutil.copytree(args.rtl, work / "rtl")
     start = time.monotonic()
+    wrong, said = "", "no fault, no report"
     try:
+        if strangers := set(guilty) - set(touched):
+            raise Broken(f"{fault['file']} is no part of {', '.join(strangers)}, or --units leaves it out")
         if fault:
             seed_fault(fault, work / "rtl")
-        bench = build(args.package or work / "rtl" / "formats" / args.config / "hs_formats_pkg.sv", args.lanes, args.top, work / "model", args.library,
-                      rtl=work / "rtl", verilator=args.verilator, cxx=args.cxx)
-        result = subprocess.run([bench, args.vectors, "--stall", "30", "--seed", "1"], capture_output=True, text=True,
-                                timeout=600)
-        output = result.stdout + result.stderr
-        (work / "report.txt").write_text(output)
-        wrong = judge(output, result.returncode, set(guilty), fault["says"] if fault else "", UNITS[args.top])
-        said = next((text for unit, text in FAIL.findall(output) if unit in guilty), "no fault, no report")
+        for unit in touched:
+            found, reports = try_unit(args, unit, fault["says"] if unit in guilty else None, work)
+            wrong = wrong or found
+            if unit in guilty and reports:
+                said = reports[0]
     except Broken as e:
-        wrong, said = str(e), ""
+        wrong = str(e)
     except subprocess.TimeoutExpired:
-        wrong, said = "the bench did not end", ""
+        wrong = "the bench did not end"
     seconds = time.monotonic() - start
     if not wrong and not args.keep:
         shutil.rmtree(work, ignore_errors=True)
-    where = fault["unit"] if fault else "all units"
+    where = " ".join(unit if unit in guilty else f"({unit})" for unit in touched) if fault else "all units"
     return not wrong, f"{'FAIL' if wrong else 'pass'}  {name:24} {where:27} {seconds:5.1f} s  {wrong or said}"
 
 
@@ -120,9 +125,9 @@ def main():
     parser.add_argument("--faults", type=pathlib.Path, default=HERE / "faults.txt", help="default: %(default)s")
     parser.add_argument("--scene", default="standard", help="of the vectors (default: %(default)s)")
     parser.add_argument("--config", default="low", help="with --package: a .toml file")
-    parser.add_argument("--top", default="hs_units", choices=sorted(UNITS), help="default: %(default)s")
+    parser.add_argument("--units", nargs="+", required=True, help="units, or pipeline; those that the faults may reach")
     parser.add_argument("--package", type=pathlib.Path, help="of a configuration that has none in rtl/")
-    parser.add_argument("--lanes", type=int, default=4, choices=sorted(LANES_X))
+    parser.add_argument("--lanes", type=int, default=4, choices=sorted(LANES))
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--only", help="regular expression of the names to try")
     parser.add_argument("--keep", action="store_true", help="keep the copies of what passed, too")

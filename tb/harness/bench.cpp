@@ -17,24 +17,33 @@ std::size_t Result::mismatches() const {
   return sum;
 }
 
-Bench::Bench(Model* model, const Vectors* vectors, const Options* options, std::string prefix, const std::string& clock)
+Bench::Bench(Model* model, const Vectors* vectors, const Options* options, std::string name)
     : model_(model),
       vectors_(vectors),
       options_(options),
-      prefix_(std::move(prefix)),
-      clock_(model->need(clock, 1).bit()) {}
+      name_(std::move(name)),
+      clock_(model->need("clk_i", 1).bit()) {}
 
-Sender& Bench::add_sender(const Stream& stream) {
-  return add_sender(input_wires(*model_, prefix_, stream), stream.name);
+// Each unit has its own sequence for a stream; the pipeline has that of the stream's name alone.
+std::uint64_t Bench::seed_for(const std::string& part) const {
+  return seed_of(options_->seed, name_ == "pipeline" ? part : name_ + "_" + part);
+}
+
+Sender& Bench::add_sender(const Stream& stream, const std::string& port) {
+  return add_sender(input_wires(*model_, port.empty() ? stream.name : port, stream), stream.name);
 }
 
 Sender& Bench::add_sender(const Wires& wires, const std::string& name) {
-  return senders_.emplace_back(wires, name, seed_of(options_->seed, prefix_ + name), options_->stall);
+  return senders_.emplace_back(wires, name, seed_for(name), options_->stall);
 }
 
-Receiver& Bench::add_receiver(const Stream& stream) {
-  return receivers_.emplace_back(output_wires(*model_, prefix_, stream), *vectors_, stream.name,
-                                 seed_of(options_->seed, prefix_ + stream.name), options_->stall);
+Receiver& Bench::add_receiver(const Stream& stream, const std::string& port) {
+  return receivers_.emplace_back(output_wires(*model_, port.empty() ? stream.name : port, stream), *vectors_,
+                                 stream.name, seed_for(stream.name), options_->stall);
+}
+
+Memory& Bench::add_memory(const MemoryPorts& ports) {
+  return memories_.emplace_back(*model_, ports, seed_for(ports.read_data));
 }
 
 void Bench::reset() {
@@ -74,8 +83,10 @@ bool Bench::step() {
   bool moved = false;
   for (Sender& sender : senders_) moved |= sender.sample();
   for (Receiver& receiver : receivers_) moved |= receiver.sample(cycle_);
+  for (Memory& memory : memories_) memory.sample();
   *clock_ = 1;
   model_->eval();
+  for (Memory& memory : memories_) memory.answer();
   if (moved && first_move_ == 0) first_move_ = cycle_;
   ++cycle_;
   return moved;
@@ -86,8 +97,7 @@ void Bench::tell_progress() {
   const auto now = std::chrono::steady_clock::now();
   if (now - told_ < std::chrono::seconds(2)) return;
   told_ = now;
-  const std::string unit = prefix_.empty() ? "pipeline" : prefix_.substr(0, prefix_.size() - 1);
-  std::fprintf(stderr, "%s: %.1f million cycles simulated\n", unit.c_str(), double(cycle_) * 1e-6);
+  std::fprintf(stderr, "%s: %.1f million cycles simulated\n", name_.c_str(), double(cycle_) * 1e-6);
 }
 
 bool Bench::run(const std::function<bool()>& done, std::uint64_t patience) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "tb/harness/channel.hpp"
+#include "tb/harness/memory.hpp"
 #include "tb/harness/model.hpp"
 #include "tb/harness/options.hpp"
 #include "tb/report/accesses.hpp"
@@ -65,12 +66,14 @@ class Stopwatch {
 
 class Bench {
  public:
-  // `prefix` stands before the name of every stream's port; `clock` and rst_ni are the model's.
-  Bench(Model* model, const Vectors* vectors, const Options* options, std::string prefix, const std::string& clock);
+  // `name`: of the unit, or "pipeline". clk_i and rst_ni are the model's.
+  Bench(Model* model, const Vectors* vectors, const Options* options, std::string name);
 
-  Sender& add_sender(const Stream& stream);
+  // `port`: what the stream's ports are called, if not as the stream.
+  Sender& add_sender(const Stream& stream, const std::string& port = "");
   Sender& add_sender(const Wires& wires, const std::string& name);
-  Receiver& add_receiver(const Stream& stream);
+  Receiver& add_receiver(const Stream& stream, const std::string& port = "");
+  Memory& add_memory(const MemoryPorts& ports);
 
   void reset();
   void set_frame(const Frame& frame);
@@ -83,7 +86,7 @@ class Bench {
 
   std::uint64_t cycle() const { return cycle_; }
   std::uint64_t first_move() const { return first_move_; }
-  const std::string& prefix() const { return prefix_; }
+  const std::string& name() const { return name_; }
   Model& model() { return *model_; }
 
  private:
@@ -94,10 +97,13 @@ class Bench {
   Model* model_;
   const Vectors* vectors_;
   const Options* options_;
-  std::string prefix_;
+  std::uint64_t seed_for(const std::string& part) const;
+
+  std::string name_;
   std::uint8_t* clock_;
   std::deque<Sender> senders_;
   std::deque<Receiver> receivers_;
+  std::deque<Memory> memories_;
   std::vector<std::string> failures_;
   std::uint64_t cycle_ = 0, first_move_ = 0;
   std::chrono::steady_clock::time_point told_ = std::chrono::steady_clock::now();

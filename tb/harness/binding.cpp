@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Binds the class that Verilator printed to Model. Compiled once a model; ports.inc is printed by verilate.py:
 // HS_PORT(name, bits, is_input) a port, HS_WATCH(stream, path, bits) a stream inside (watch.vlt), HS_CONSTANT(name,
-// value) a number of the package.
+// value) a number of the package; title.inc says what the model is.
 #include <verilated.h>
 
 #include "Vmodel.h"
 #include "Vmodel___024root.h"
 #include "tb/harness/model.hpp"
+#include "title.inc"
 
 double sc_time_stamp() { return 0; }
 

@@ -23,16 +23,14 @@ std::vector<std::uint32_t> word_at(const Port& port, std::size_t parts) {
 
 }  // namespace
 
-Wires input_wires(const Model& model, const std::string& prefix, const Stream& stream) {
-  const std::string name = prefix + stream.name;
-  return {&model.need(name + "_i", stream.bits), &model.need(name + "_valid_i", 1), model.find(name + "_ready_o")};
+Wires input_wires(const Model& model, const std::string& port, const Stream& stream) {
+  return {&model.need(port + "_i", stream.bits), &model.need(port + "_valid_i", 1), model.find(port + "_ready_o")};
 }
 
-Wires output_wires(const Model& model, const std::string& prefix, const Stream& stream) {
-  const std::string name = prefix + stream.name;
-  const Port* ready = model.find(name + "_ready_i");
-  if (ready == nullptr) ready = model.find(name + "_ready_o");
-  return {&model.need(name + "_o", stream.bits), &model.need(name + "_valid_o", 1), ready};
+Wires output_wires(const Model& model, const std::string& port, const Stream& stream) {
+  const Port* ready = model.find(port + "_ready_i");
+  if (ready == nullptr) ready = model.find(port + "_ready_o");
+  return {&model.need(port + "_o", stream.bits), &model.need(port + "_valid_o", 1), ready};
 }
 
 Sender::Sender(const Wires& wires, std::string name, std::uint64_t seed, int stall_percent)

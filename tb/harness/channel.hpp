@@ -27,14 +27,14 @@ struct Segment {
   std::string note;
 };
 
-// What a stream's wires are called: <prefix><stream>_valid_i and so on. Null where the model has none.
+// The wires of a stream whose ports are <port>_i, <port>_valid_i and so on. Null where the model has none.
 struct Wires {
   const Port* data = nullptr;
   const Port* valid = nullptr;
   const Port* ready = nullptr;
 };
-Wires input_wires(const Model& model, const std::string& prefix, const Stream& stream);
-Wires output_wires(const Model& model, const std::string& prefix, const Stream& stream);
+Wires input_wires(const Model& model, const std::string& port, const Stream& stream);
+Wires output_wires(const Model& model, const std::string& port, const Stream& stream);
 
 class Sender {
  public:

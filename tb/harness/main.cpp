@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program around one Verilated model: of hs_units the benches, of hs_pipeline the co-simulation.
+// The program around one Verilated model: of a unit its bench, of hs_pipeline the co-simulation.
 #include <cstdio>
 #include <set>
 
@@ -44,24 +44,13 @@ void report(const Vectors& vectors, const Options& options, const std::vector<Re
   if (!options.json.empty()) write_file(options.json, json_report(vectors, options, results));
 }
 
-int run_benches(Model* model, Vectors* vectors, const Options& options) {
-  const std::vector<std::string> units =
-      options.unit == "all" ? unit_names(*model, *vectors) : std::vector<std::string>{options.unit};
-  std::set<std::string> names;
-  for (const std::string& unit : units) {
-    for (const std::string& stream : unit_streams(unit, *vectors)) names.insert(stream);
-  }
-  load_streams(names, vectors);
-  std::vector<Result> results;
-  bool passed = true;
-  for (const std::string& unit : units) {
-    results.push_back(run_unit(unit, model, *vectors, options));
-    passed = passed && results.back().passed();
-    print_result(*vectors, results.back());
-    std::fflush(stdout);
-  }
-  report(*vectors, options, results);
-  return passed ? 0 : 1;
+int run_bench(Model* model, Vectors* vectors, const Options& options) {
+  const std::vector<std::string> names = unit_streams(*model, *vectors);
+  load_streams({names.begin(), names.end()}, vectors);
+  const Result result = run_unit(model, *vectors, options);
+  print_result(*vectors, result);
+  report(*vectors, options, {result});
+  return result.passed() ? 0 : 1;
 }
 
 int run_cosim(Model* model, Vectors* vectors, const Options& options) {
@@ -81,14 +70,14 @@ int run_cosim(Model* model, Vectors* vectors, const Options& options) {
 }
 
 int run(int argc, char** argv) {
-  const bool units = model_top() != "hs_pipeline";
-  const Options options = parse_options(argc, argv, units);
+  const bool unit = model_top() != "hs_pipeline";
+  const Options options = parse_options(argc, argv, model_top());
   Vectors vectors = load_manifest(options.vectors);
   const std::unique_ptr<Model> model = make_model(options.seed);
   check_model(*model, vectors);
   std::printf("%s, seed %llu, stall %d %%, %s\n", model->title().c_str(), static_cast<unsigned long long>(options.seed),
               options.stall, options.vectors.c_str());
-  return units ? run_benches(model.get(), &vectors, options) : run_cosim(model.get(), &vectors, options);
+  return unit ? run_bench(model.get(), &vectors, options) : run_cosim(model.get(), &vectors, options);
 }
 
 }  // namespace

@@ -36,10 +36,11 @@ class Model {
   const Port* find(const std::string& name) const;
   // The lack of it, or another width (0: any), is an Error.
   const Port& need(const std::string& name, int bits = 0) const;
+  const std::unordered_map<std::string, Port>& ports() const { return ports_; }
   void set(const std::string& name, std::uint64_t value);
   // A number of the package; 0 if it has none of that name.
   int constant(const std::string& name) const;
-  // "hs_units (middle, 2x2 lanes)"
+  // "hs_ztest_index (middle, 2x2 lanes)"
   std::string title() const;
 
  protected:

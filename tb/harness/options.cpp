@@ -7,13 +7,13 @@
 namespace halfspace::tb {
 namespace {
 
-constexpr const char* kUnitsHelp =
-    "Drives each unit of the RTL alone with the words of a vector set and holds every word that comes out against\n"
+constexpr const char* kUnitHelp =
+    "Drives a unit of the RTL alone with the words of a vector set and holds every word that comes out against\n"
     "the set, to the bit. Both sides stall at random. The exit status is 0 only if every word agreed, none was\n"
     "missing or too many, and every stream had words to compare.\n\n"
     "  halfspace vectors teapot --config middle --lanes 4 --out v\n"
-    "  tb_units_middle_4 v\n"
-    "  tb_units_middle_4 v --unit raster_pineda --stall 60 --seed 7\n";
+    "  tb_ztest_index_middle_4 v\n"
+    "  tb_ztest_index_middle_4 v --stall 60 --seed 7\n";
 
 constexpr const char* kPipelineHelp =
     "Runs the whole pipeline of the RTL on the triangles of a vector set and holds every word of every stream\n"
@@ -26,23 +26,21 @@ constexpr const char* kPipelineHelp =
 
 }  // namespace
 
-Options parse_options(int argc, char** argv, bool units) {
+Options parse_options(int argc, char** argv, const std::string& top) {
+  const bool unit = top != "hs_pipeline";
   Options options;
-  if (units) options.stall = 30;
-  CLI::App app(units ? kUnitsHelp : kPipelineHelp);
+  if (unit) options.stall = 30;
+  CLI::App app(unit ? kUnitHelp : kPipelineHelp);
   app.add_option("vectors", options.vectors, "Folder with manifest.json and the .hex files")->required();
   app.add_option("--seed", options.seed, "Seed of the stalls and of memories without a reset (default 1)");
   app.add_option("--stall", options.stall,
                  std::string("Percent of the cycles in which a partner is not ready, 0 … 90 (default ") +
-                     (units ? "30" : "0") + ")")
+                     (unit ? "30" : "0") + ")")
       ->check(CLI::Range(0, 90));
   app.add_option("--hang", options.hang, "Cycles without a word that count as a hang (default 20000)")
       ->check(CLI::Range(std::uint64_t(100), std::uint64_t(1) << 40));
   app.add_option("--json", options.json, "Write the report to this file as well");
-  if (units) {
-    app.add_option("--unit", options.unit,
-                   "all, or one of triangle_setup, shade_setup, raster_pineda, ztest_index, scan_index, shade_gouraud");
-  } else {
+  if (!unit) {
     app.add_option("--frames", options.frames,
                    "Draw the last frame of the set N times, back to back (default 2: the second one gives the "
                    "cycles of a frame)")

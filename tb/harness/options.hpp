@@ -10,7 +10,6 @@ namespace halfspace::tb {
 
 struct Options {
   std::string vectors;         // folder of the vector set
-  std::string unit = "all";    // hs_units only
   std::uint64_t seed = 1;      // of the stalls and of memories without a reset
   int stall = 0;               // percent of the cycles
   std::uint64_t hang = 20000;  // cycles without a word that count as a hang
@@ -21,8 +20,8 @@ struct Options {
   std::string dump, dump_index;
 };
 
-// Exits by itself for --help (0) and for a wrong command line (2). `units`: of hs_units, else of hs_pipeline.
-Options parse_options(int argc, char** argv, bool units);
+// Exits by itself for --help (0) and for a wrong command line (2).
+Options parse_options(int argc, char** argv, const std::string& top);
 
 }  // namespace halfspace::tb
 

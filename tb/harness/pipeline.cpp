@@ -108,7 +108,7 @@ Bound bound_of(const Vectors& vectors, const Model& model, int setup_interval) {
 }  // namespace
 
 Result run_pipeline(Model* model, const Vectors& vectors, const Options& options, LastFrame* last) {
-  Bench bench(model, &vectors, &options, "", "clk_i");
+  Bench bench(model, &vectors, &options, "pipeline");
   const std::uint8_t* const busy = model->need("busy_o", 1).bit();
   Sender* triangles = nullptr;
   std::vector<std::pair<const Stream*, Sender*>> senders, loads;

@@ -4,6 +4,7 @@
 #ifndef HALFSPACE_TB_HARNESS_WORDS_HPP_
 #define HALFSPACE_TB_HARNESS_WORDS_HPP_
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -21,6 +22,18 @@ inline std::uint64_t extract(const std::uint32_t* word, int lsb, int width) {
     have += take;
   }
   return width == 64 ? value : value & ((std::uint64_t(1) << width) - 1);
+}
+
+// Bits [lsb, lsb + width) of `to` become those of `from` at `from_lsb`.
+inline void copy_bits(std::uint32_t* to, int lsb, const std::uint32_t* from, int from_lsb, int width) {
+  for (int done = 0; done < width;) {
+    const int bit = (lsb + done) % 32;
+    const int take = std::min(width - done, 32 - bit);
+    const std::uint32_t mask = (take == 32 ? ~0u : (1u << take) - 1) << bit;
+    std::uint32_t* const part = to + (lsb + done) / 32;
+    *part = (*part & ~mask) | (std::uint32_t(extract(from, from_lsb + done, take)) << bit & mask);
+    done += take;
+  }
 }
 
 // A list of words of `bits` bits.

@@ -51,7 +51,7 @@ def try_case(args, case):
     code, text = run([args.halfspace, "package", "--config", toml, "-o", package])
     if code:
         return False, text
-    bench = build(package, lanes, "hs_pipeline" if field else "hs_compensate_units", folder / "model", args.library,
+    bench = build(package, lanes, "hs_pipeline" if field else "hs_motion_compensate", folder / "model", args.library,
                   verilator=args.verilator, cxx=args.cxx)
     words = 0
     for scene, first in SCENES.items():

@@ -40,7 +40,7 @@ def try_case(args, case):
     code, text = run([args.halfspace, "package", "--config", toml, "-o", package])
     if code:
         return False, text
-    bench = build(package, 4, "hs_compensate_units", folder / "model", args.library, verilator=args.verilator,
+    bench = build(package, 4, "hs_motion_compensate", folder / "model", args.library, verilator=args.verilator,
                   cxx=args.cxx, yosys=args.yosys if netlist else None)
     for stall, seeds in ((30, args.seeds), (0, 1)):
         code, text = run([sys.executable, TESTS / "pipeline/cosim_test.py", args.halfspace, bench, folder / "vectors",

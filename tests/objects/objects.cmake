@@ -8,8 +8,8 @@ halfspace_cosim_file(pipeline objects_flat 4)
 halfspace_cosim_file(pipeline objects_lit 4)
 halfspace_cosim(pipeline_objects_middle_1 pipeline objects_middle 1 standard)  # the most words: one seed
 function(halfspace_merge config lanes)
-  halfspace_cosim_file(merge_units ${config} ${lanes} merge)
-  halfspace_cosim(merge_units_cycles_${config}_${lanes} merge_units ${config} ${lanes} merge STALL 0)
+  halfspace_cosim_file(ztest_merge ${config} ${lanes} merge)
+  halfspace_cosim(ztest_merge_cycles_${config}_${lanes} ztest_merge ${config} ${lanes} merge STALL 0)
 endfunction()
 halfspace_merge(objects_low 4)
 halfspace_merge(objects_middle 1)
@@ -24,16 +24,16 @@ halfspace_cosim(pipeline_objects_low_1_teapot pipeline objects_low 1 teapot STAL
 halfspace_cosim(pipeline_objects_low_4_reuse pipeline objects_low 4 castle VECTORS --window 64 --random 1)
 
 halfspace_lint(lint_objects UNITS scan_object ztest_merge pipeline CONFIGS objects_low objects_flat objects_phong)
-halfspace_faults(faults_objects objects pipeline objects_low UNITS scan_object pipeline)
-halfspace_faults(faults_merge merge merge_units objects_low SCENE merge UNITS ztest_merge)
+halfspace_faults(faults_objects objects objects_low UNITS pipeline)
+halfspace_faults(faults_merge merge objects_low SCENE merge UNITS ztest_merge)
 
 # Objects bring no multiplier to the 11 of the pipeline, and three memories to its 8: the second bank of the Z-buffer, the object table,
 # a queue. ztest_merge has neither.
-halfspace_synthesis(synthesis_objects_middle pipeline objects_middle UNITS scan_object pipeline PARAMETERS LanesX 1 LanesY 1
+halfspace_synthesis(synthesis_objects_middle pipeline objects_middle 1
                     FINDS "-assert-count 11 t:$mul" "-assert-count 11 t:$mem_v2")
-halfspace_synthesis(synthesis_ztest_merge ztest_merge objects_low UNITS ztest_merge PARAMETERS LanesX 2 LanesY 2
+halfspace_synthesis(synthesis_ztest_merge ztest_merge objects_low 4
                     FINDS "-assert-none t:$mul t:$mem_v2" "-assert-min 1 t:$lt")
 
 # The netlists that Yosys makes of both; that of the pipeline, which is simulated more slowly, with label `long`.
-halfspace_cosim(merge_units_netlist_objects_low_4 merge_units objects_low 4 merge NETLIST)
+halfspace_cosim(ztest_merge_netlist_objects_low_4 ztest_merge objects_low 4 merge NETLIST)
 halfspace_cosim(pipeline_netlist_objects_low_4 pipeline objects_low 4 standard NETLIST LONG)

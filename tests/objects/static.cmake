@@ -4,7 +4,7 @@ function(halfspace_static_cosim name config lanes)
   halfspace_bench(pipeline ${config} ${lanes})
   set(pipeline ${bench})
   set(pipeline_target ${bench_target})
-  halfspace_bench(merge_units ${config} ${lanes})
+  halfspace_bench(ztest_merge ${config} ${lanes})
   halfspace_script_test(static_cosim_${name} static_cosim_test.py WORLD cosim UNITS pipeline ztest_merge
     BUILDS halfspace ${pipeline_target} ${bench_target}
     COMMAND $<TARGET_FILE:halfspace> ${pipeline} ${bench} ${CMAKE_CURRENT_BINARY_DIR}/static_cosim_${name} ${config_of_${config}} ${lanes}

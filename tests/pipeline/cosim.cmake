@@ -1,6 +1,9 @@
 # What is co-simulated of low, middle and high in every run of the tests, and, with label `long`, what takes longer.
+# halfspace_units_cosim(CONFIG LANES SCENE SEEDS)
 function(halfspace_units_cosim config lanes scene seeds)
-  halfspace_cosim(units_${scene}_${config}_${lanes} units ${config} ${lanes} ${scene} STALL 35 SEEDS ${seeds})
+  foreach(unit IN LISTS HALFSPACE_UNITS_${config})
+    halfspace_cosim(${unit}_${scene}_${config}_${lanes} ${unit} ${config} ${lanes} ${scene} STALL 35 SEEDS ${seeds})
+  endforeach()
 endfunction()
 # Units alone, on corner cases, random frames and small frames of scenes.
 halfspace_units_cosim(low 4 standard 10)
@@ -38,16 +41,16 @@ halfspace_model_cosim(high glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb
 halfspace_model_cosim(middle Collada/box_nested_animation.dae STALL 10 VECTORS --no-corners --time 1.5)
 
 # The netlist that Yosys makes of the pipeline.
-halfspace_cosim(netlist_standard_low_1 netlist low 1 standard)
-halfspace_cosim(netlist_standard_middle_4 netlist middle 4 standard)
-halfspace_cosim(netlist_standard_high_16 netlist high 16 standard)
+halfspace_cosim(netlist_standard_low_1 pipeline low 1 standard NETLIST)
+halfspace_cosim(netlist_standard_middle_4 pipeline middle 4 standard NETLIST)
+halfspace_cosim(netlist_standard_high_16 pipeline high 16 standard NETLIST)
 
-# Configurations that nobody named.
-halfspace_cosim_file(units odd 4)
+# Configurations that nobody named, with the units of low.
+halfspace_units_file(odd 4 ${HALFSPACE_UNITS_low})
 halfspace_cosim_file(pipeline odd 2)
-halfspace_cosim_file(units tiny 1)
+halfspace_units_file(tiny 1 ${HALFSPACE_UNITS_low})
 halfspace_cosim_file(pipeline tiny 16)
-halfspace_cosim_file(units wide 8)
+halfspace_units_file(wide 8 ${HALFSPACE_UNITS_low})
 halfspace_cosim_file(pipeline wide 1)
 # A frame of 3104 triangles with 2500 indices.
 halfspace_cosim_file(pipeline reuse 4)
@@ -56,7 +59,9 @@ halfspace_cosim(pipeline_reuse_castle pipeline reuse 4 castle SEEDS 3 VECTORS --
 # Every configuration with every number of lanes, under ten seeds.
 foreach(config IN LISTS HALFSPACE_CONFIGS)
   foreach(lanes IN LISTS HALFSPACE_LANES)
-    halfspace_cosim(units_standard_${config}_${lanes}_long units ${config} ${lanes} standard STALL 35 SEEDS 10 LONG)
+    foreach(unit IN LISTS HALFSPACE_UNITS_${config})
+      halfspace_cosim(${unit}_standard_${config}_${lanes}_long ${unit} ${config} ${lanes} standard STALL 35 SEEDS 10 LONG)
+    endforeach()
     foreach(scene IN ITEMS teapot castle)
       halfspace_cosim(pipeline_${scene}_${config}_${lanes}_long pipeline ${config} ${lanes} ${scene} SEEDS 10 LONG VECTORS --no-corners)
     endforeach()

@@ -31,7 +31,7 @@ def cycles(halfspace, bench, config, lanes, folder, clockwise):
     scene.write_text(triangles(clockwise))
     subprocess.run([halfspace, "vectors", scene, "--config", config, "--lanes", lanes, "--no-corners", "--out", folder],
                    check=True, stdout=subprocess.DEVNULL)
-    subprocess.run([bench, folder, "--unit", "triangle_setup", "--stall", "0", "--json", report], check=True,
+    subprocess.run([bench, folder, "--stall", "0", "--json", report], check=True,
                    stdout=subprocess.DEVNULL)
     (run,) = json.loads(report.read_text())["runs"]
     assert run["words"] == 2 * TRIANGLES and run["mismatches"] == 0, run
