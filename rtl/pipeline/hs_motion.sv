@@ -14,40 +14,38 @@ module hs_motion #(
   parameter int unsigned AttributesFifoDepth = 4,
   parameter int unsigned ScanFifoDepth = 4,
   localparam int unsigned Lanes = LanesX * LanesY,
-  localparam int unsigned XBits = hs_formats_pkg::XBits,
-  localparam int unsigned YBits = hs_formats_pkg::YBits,
   localparam int unsigned IndexBits = hs_formats_pkg::IndexBits,
-  localparam int unsigned ScanBits = 1 + XBits + YBits + Lanes * IndexBits,
-  localparam int unsigned VectorsBits = hs_formats_pkg::MotionVectorsWordBits,
-  localparam int unsigned PlanesBits = hs_formats_pkg::MotionPlanesWordBits,
-  localparam int unsigned MotionBits = hs_formats_pkg::MotionWordBits
+  localparam int unsigned ScanBits =
+      1 + hs_formats_pkg::XBits + hs_formats_pkg::YBits + Lanes * IndexBits
 ) (
-  input  logic                        clk_i,
-  input  logic                        rst_ni,
+  input  logic                                             clk_i,
+  input  logic                                             rst_ni,
 
-  input  logic                        planes_bank_i,  // of TdbS, to store to
-  output logic                        planes_last_o,  // all planes of a frame are stored
+  // Frame control: the bank of TdbS to store to; a frame's planes are stored
+  input  logic                                             planes_bank_i,
+  output logic                                             planes_last_o,
 
   // From geometry
-  input  logic                        motion_vectors_valid_i,
-  output logic                        motion_vectors_ready_o,
-  input  logic [VectorsBits-1:0]      motion_vectors_i,
+  input  logic                                             motion_vectors_valid_i,
+  output logic                                             motion_vectors_ready_o,
+  input  logic [hs_formats_pkg::MotionVectorsWordBits-1:0] motion_vectors_i,
 
   // From visible_select
-  input  logic                        attributes_valid_i,
-  output logic                        attributes_ready_o,
-  input  hs_formats_pkg::attributes_t attributes_i,
+  input  logic                                             attributes_valid_i,
+  output logic                                             attributes_ready_o,
+  input  hs_formats_pkg::attributes_t                      attributes_i,
 
   // From scan_index
-  input  logic                        scan_valid_i,
-  output logic                        scan_ready_o,
-  input  logic [ScanBits-1:0]         scan_i,
+  input  logic                                             scan_valid_i,
+  output logic                                             scan_ready_o,
+  input  logic [ScanBits-1:0]                              scan_i,
 
   // To the motion buffer
-  output logic                        motion_valid_o,
-  input  logic                        motion_ready_i,
-  output logic [MotionBits-1:0]       motion_o
+  output logic                                             motion_valid_o,
+  input  logic                                             motion_ready_i,
+  output logic [hs_formats_pkg::MotionWordBits-1:0]        motion_o
 );
+  localparam int unsigned PlanesBits = hs_formats_pkg::MotionPlanesWordBits;
   localparam int unsigned EntryBits = $clog2(hs_formats_pkg::Triangles);
   localparam int unsigned EntryPlanesBits = PlanesBits - 2 - IndexBits;
 
