@@ -23,7 +23,7 @@ UNITS = ("triangle_setup", "light_vertex", "shade_setup", "phong_setup", "raster
          "shade_gouraud", "shade_phong", "scan_object", "ztest_merge")
 COMPOSITION = "composition"
 # Memories of the frame, which an FPGA may hold elsewhere: they are counted in bits, not mapped.
-BUFFERS = ("depth_buffer", "visibility_database", "index_buffer", "shading_database", "object_table")
+BUFFERS = ("depth_buffer", "visibility_database", "shading_database", "index_buffer", "object_table")
 
 
 @dataclasses.dataclass
@@ -99,6 +99,8 @@ def elaborate(yosys, rtl, package, lanes, units):
             buffers.setdefault(instance(name), []).extend(memories(body))
     if not buffers:
         raise AreaError(f"{title}: hs_pipeline has no memories named {', '.join(BUFFERS)}: name them in {__file__}")
+    # In an order that does not depend on how deep each lies.
+    buffers = {name: buffers[name] for name in BUFFERS if name in buffers}
     return Design(str(package), config, lanes, parts, buffers)
 
 
