@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// The records of rooms raster and ztest: stamps, what becomes of them, and whether their triangle is visible.
+#ifndef HALFSPACE_HLS_FORMATS_RASTER_RECORDS_HPP_
+#define HALFSPACE_HLS_FORMATS_RASTER_RECORDS_HPP_
+
+#include "hls/formats/frame_records.hpp"
+
+namespace halfspace {
+
+// raster_pineda → ztest_plane, with F::kTestsPlanes alone: the depth plane of each triangle, as in its Setup, before
+// its first stamp. Of an empty triangle it means nothing.
+template <class F>
+struct TriangleDepth {
+  static constexpr const char* kStream = "triangle_depth";
+  typename F::Index index;
+  typename F::X x;  // the stamp whose first pixel the plane starts at
+  typename F::Y y;
+  typename F::DepthPlane depth;
+  typename F::DepthGradient depth_dx, depth_dy;
+
+  template <class V>
+  void visit(V&& v) {
+    v("index", index), v("x", x), v("y", y);
+    v("depth", depth), v("depth_dx", depth_dx), v("depth_dy", depth_dy);
+  }
+};
+
+// raster_pineda → the Z-test, ztest_index or ztest_plane: a stamp with a covered pixel. A triangle that covers none
+// sends one with an empty mask, for the end of the triangle.
+template <class F>
+struct Stamp {
+  static constexpr const char* kStream = "stamp";
+  Bit mask[F::kLanes];
+  typename F::Depth depth[F::kLanes];  // of the plane, also where the mask is 0 and it means nothing
+  Bit last;                            // of the frame
+  Bit triangle_last;                   // of the triangle
+  typename F::Index index;
+  typename F::X x;  // in stamps
+  typename F::Y y;
+
+  template <class V>
+  void visit(V&& v) {
+    v("last", last), v("triangle_last", triangle_last), v("index", index), v("x", x), v("y", y);
+    v.lanes("mask", mask);
+    if (F::kHasDepth) v.lanes("depth", depth);
+  }
+};
+
+// What the stamps of a triangle cost ztest_plane: cycles, and entries of TdbV that it reads.
+struct PlaneTests {
+  int cycles, entries;
+};
+
+// The Z-test → I-buffer and Z-buffer, if there is one: a write, of a stamp of which a fragment passed.
+template <class F>
+struct Update {
+  static constexpr const char* kStream = "update";
+  Bit mask[F::kLanes];  // lanes that passed
+  typename F::Depth depth[F::kLanes];
+  typename F::Index index;
+  typename F::X x;  // in stamps
+  typename F::Y y;
+
+  template <class V>
+  void visit(V&& v) {
+    v("index", index), v("x", x), v("y", y);
+    v.lanes("mask", mask);
+    if (F::kStoresDepth) v.lanes("depth", depth);
+  }
+};
+
+// The Z-test → geometry: a triangle is done, and a fragment of it passed or none did.
+template <class F>
+struct Visible {
+  static constexpr const char* kStream = "visible";
+  Bit last;
+  Bit visible;
+  typename F::Index index;
+
+  template <class V>
+  void visit(V&& v) {
+    v("last", last), v("visible", visible), v("index", index);
+  }
+};
+
+}  // namespace halfspace
+
+#endif  // HALFSPACE_HLS_FORMATS_RASTER_RECORDS_HPP_
