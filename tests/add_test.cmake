@@ -1,7 +1,9 @@
 # How a test is added: its labels, and what has to be built for it.
 
-# halfspace_add_test(NAME name WORLD world [UNITS unit …] [LONG] [SERIAL] [SECONDS timeout] [BUILDS target …] COMMAND word …)
-# BUILDS: programs and benches that the command runs. It is not run before each is built; a test says then which target builds it.
+# halfspace_add_test(NAME name WORLD world [UNITS unit …] [LONG] [SERIAL] [SECONDS timeout] [BUILDS target …] COMMAND
+# word …)
+# BUILDS: programs and benches that the command runs. It is not run before each is built; a test says then which target
+# builds it.
 # SERIAL: it takes two processors.
 function(halfspace_add_test)
   cmake_parse_arguments(PARSE_ARGV 0 T "LONG;SERIAL" "NAME;WORLD;SECONDS" "UNITS;BUILDS;COMMAND")
@@ -25,7 +27,8 @@ function(halfspace_add_test)
     endif()
   endforeach()
   if(needs)
-    set(T_COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/built.py ${PROJECT_BINARY_DIR} ${needs} -- ${T_COMMAND})
+    set(T_COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/built.py ${PROJECT_BINARY_DIR} ${needs} --
+        ${T_COMMAND})
   endif()
   add_test(NAME ${T_NAME} COMMAND ${T_COMMAND})
 
@@ -69,8 +72,8 @@ function(halfspace_test name)
   halfspace_add_test(NAME ${name} ${T_UNPARSED_ARGUMENTS} BUILDS ${name} COMMAND $<TARGET_FILE:${name}> --gtest_brief=1)
 endfunction()
 
-# halfspace_tops_test(NAME SOURCE CONFIG HEADER UNITS unit … TOPS file …): the tops as an HLS tool compiles them in a configuration that
-# HEADER has, and a GoogleTest program on them. TOPS: of hls/top, without `_top.cpp`.
+# halfspace_tops_test(NAME SOURCE CONFIG HEADER UNITS unit … TOPS file …): the tops as an HLS tool compiles them in a
+# configuration that HEADER has, and a GoogleTest program on them. TOPS: of hls/top, without `_top.cpp`.
 function(halfspace_tops_test name source config header)
   cmake_parse_arguments(PARSE_ARGV 4 T "" "" "UNITS;TOPS")
   list(TRANSFORM T_TOPS REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/hls/top/\\1_top.cpp")
@@ -84,5 +87,6 @@ function(halfspace_tops_test name source config header)
     target_compile_definitions(${part} PRIVATE HALFSPACE_TOP_CONFIG=${config})
     halfspace_warnings(${part})
   endforeach()
-  halfspace_add_test(NAME ${name} WORLD hls UNITS ${T_UNITS} BUILDS ${name} COMMAND $<TARGET_FILE:${name}> --gtest_brief=1)
+  halfspace_add_test(NAME ${name} WORLD hls UNITS ${T_UNITS} BUILDS ${name}
+                     COMMAND $<TARGET_FILE:${name}> --gtest_brief=1)
 endfunction()

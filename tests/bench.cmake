@@ -1,6 +1,8 @@
-# Tests on the RTL: benches, co-simulation, lint, faults, what Yosys finds. CONFIG is low, middle, high, or a file of configs/ by its stem.
+# Tests on the RTL: benches, co-simulation, lint, faults, what Yosys finds. CONFIG is low, middle, high, or a file of
+# configs/ by its stem.
 
-# config_of_NAME: the path of a configuration of configs/, for the command line; low, middle and high are known by their names.
+# config_of_NAME: the path of a configuration of configs/, for the command line; low, middle and high are known by their
+# names.
 file(GLOB configs CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/configs/*/*.toml)
 foreach(path IN LISTS configs)
   get_filename_component(name ${path} NAME_WE)
@@ -10,7 +12,8 @@ foreach(name IN LISTS HALFSPACE_CONFIGS)
   set(config_of_${name} ${name})
 endforeach()
 
-# halfspace_package(CONFIG): sets `package` to the package of a configuration and `package_target` to the target that prints it, if any.
+# halfspace_package(CONFIG): sets `package` to the package of a configuration and `package_target` to the target that
+# prints it, if any.
 function(halfspace_package config)
   set(package_target "" PARENT_SCOPE)
   if(config IN_LIST HALFSPACE_CONFIGS)
@@ -34,8 +37,9 @@ function(halfspace_package config)
   set(package_target package_${config} PARENT_SCOPE)
 endfunction()
 
-# halfspace_bench(TOP CONFIG LANES [NETLIST]): sets `bench` to the program and `bench_target` to its target, which is added where no test
-# asked for it before. TOP: a unit, or pipeline. Of low, middle and high they are those of tb/. NETLIST: of what Yosys makes of the RTL.
+# halfspace_bench(TOP CONFIG LANES [NETLIST]): sets `bench` to the program and `bench_target` to its target, which is
+# added where no test asked for it before. TOP: a unit, or pipeline. Of low, middle and high they are those of tb/.
+# NETLIST: of what Yosys makes of the RTL.
 function(halfspace_bench top config lanes)
   set(target tb_${top}_${config}_${lanes})
   if("NETLIST" IN_LIST ARGN)
@@ -47,7 +51,8 @@ function(halfspace_bench top config lanes)
     if(config IN_LIST HALFSPACE_CONFIGS)
       set(optimize "")
     endif()
-    hs_verilated_model(NAME ${target} TOP hs_${top} PACKAGE ${package} LANES ${lanes} FOLDER ${HALFSPACE_BENCHES} ${optimize} ${ARGN})
+    hs_verilated_model(NAME ${target} TOP hs_${top} PACKAGE ${package} LANES ${lanes} FOLDER ${HALFSPACE_BENCHES}
+                       ${optimize} ${ARGN})
     if(package_target)
       add_dependencies(${target} ${package_target})
     endif()
@@ -56,8 +61,8 @@ function(halfspace_bench top config lanes)
   set(bench_target ${target} PARENT_SCOPE)
 endfunction()
 
-# halfspace_cosim(NAME TOP CONFIG LANES SCENE [NETLIST] [STALL percent] [SEEDS number] [LONG] [OPTIONS of cosim_test.py …]
-# [VECTORS options of `halfspace vectors` …]): the RTL against the vectors of a scene.
+# halfspace_cosim(NAME TOP CONFIG LANES SCENE [NETLIST] [STALL percent] [SEEDS number] [LONG] [OPTIONS of cosim_test.py
+# …] [VECTORS options of `halfspace vectors` …]): the RTL against the vectors of a scene.
 function(halfspace_cosim name top config lanes scene)
   cmake_parse_arguments(PARSE_ARGV 5 C "NETLIST;LONG" "STALL;SEEDS" "OPTIONS;VECTORS")
   if(NOT DEFINED C_STALL)
@@ -76,7 +81,8 @@ function(halfspace_cosim name top config lanes scene)
   endif()
   halfspace_bench(${top} ${config} ${lanes} ${netlist})
   halfspace_add_test(NAME ${name} WORLD cosim UNITS ${top} ${long} BUILDS halfspace ${bench_target}
-    COMMAND $<TARGET_FILE:Python3::Interpreter> ${PROJECT_SOURCE_DIR}/tests/pipeline/cosim_test.py $<TARGET_FILE:halfspace> ${bench}
+    COMMAND $<TARGET_FILE:Python3::Interpreter> ${PROJECT_SOURCE_DIR}/tests/pipeline/cosim_test.py
+      $<TARGET_FILE:halfspace> ${bench}
             ${CMAKE_CURRENT_BINARY_DIR}/${name} ${scene} ${config_of_${config}} ${lanes}
             --stall ${C_STALL} --seeds ${C_SEEDS} ${C_OPTIONS} -- ${C_VECTORS})
 endfunction()
@@ -107,11 +113,12 @@ function(halfspace_lint name)
     list(APPEND targets ${package_target})
   endforeach()
   halfspace_add_test(NAME ${name} WORLD rtl UNITS ${L_UNITS} BUILDS ${targets}
-    COMMAND $<TARGET_FILE:Python3::Interpreter> ${PROJECT_SOURCE_DIR}/tb/lint.py --verilator ${HALFSPACE_VERILATOR} ${packages})
+    COMMAND $<TARGET_FILE:Python3::Interpreter> ${PROJECT_SOURCE_DIR}/tb/lint.py --verilator ${HALFSPACE_VERILATOR}
+      ${packages})
 endfunction()
 
-# halfspace_faults(NAME FAULTS CONFIG [SCENE scene] UNITS unit …): that the benches of these with four lanes find each of
-# tb/faults/FAULTS.txt.
+# halfspace_faults(NAME FAULTS CONFIG [SCENE scene] UNITS unit …): that the benches of these with four lanes find each
+# of tb/faults/FAULTS.txt.
 function(halfspace_faults name faults config)
   cmake_parse_arguments(PARSE_ARGV 3 F "" "SCENE" "UNITS")
   if(NOT F_SCENE)
@@ -121,12 +128,15 @@ function(halfspace_faults name faults config)
   halfspace_add_test(NAME ${name} WORLD cosim UNITS ${F_UNITS} SERIAL SECONDS 1800
     BUILDS halfspace halfspace_tb halfspace_verilated ${package_target}
     COMMAND $<TARGET_FILE:Python3::Interpreter> ${PROJECT_SOURCE_DIR}/tb/faults/run.py --units ${F_UNITS}
-      --faults ${PROJECT_SOURCE_DIR}/tb/faults/${faults}.txt --config ${config_of_${config}} --scene ${F_SCENE} --package ${package}
-      --halfspace $<TARGET_FILE:halfspace> --work ${CMAKE_CURRENT_BINARY_DIR}/${name} --jobs 2 --library $<TARGET_FILE:halfspace_tb>
+      --faults ${PROJECT_SOURCE_DIR}/tb/faults/${faults}.txt --config ${config_of_${config}} --scene ${F_SCENE}
+        --package ${package}
+      --halfspace $<TARGET_FILE:halfspace> --work ${CMAKE_CURRENT_BINARY_DIR}/${name} --jobs 2 --library
+        $<TARGET_FILE:halfspace_tb>
       --library $<TARGET_FILE:halfspace_verilated> --verilator ${HALFSPACE_VERILATOR} --cxx ${CMAKE_CXX_COMPILER})
 endfunction()
 
-# halfspace_matrix(NAME SCRIPT UNITS unit … [LONG] CASES case … [OPTIONS option …]): a script that makes configurations, and benches of them.
+# halfspace_matrix(NAME SCRIPT UNITS unit … [LONG] CASES case … [OPTIONS option …]): a script that makes configurations,
+# and benches of them.
 function(halfspace_matrix name script)
   cmake_parse_arguments(PARSE_ARGV 2 M "LONG" "" "UNITS;CASES;OPTIONS")
   set(long "")
@@ -140,12 +150,14 @@ function(halfspace_matrix name script)
       --verilator ${HALFSPACE_VERILATOR} --cxx ${CMAKE_CXX_COMPILER})
 endfunction()
 
-# halfspace_synthesis(NAME UNIT CONFIG LANES FINDS selection …): Yosys on a unit, or on pipeline; each FINDS is an assertion of its command
+# halfspace_synthesis(NAME UNIT CONFIG LANES FINDS selection …): Yosys on a unit, or on pipeline; each FINDS is an
+# assertion of its command
 # `select`.
 function(halfspace_synthesis name unit config lanes)
   cmake_parse_arguments(PARSE_ARGV 4 S "" "" "FINDS")
   halfspace_package(${config})
   halfspace_add_test(NAME ${name} WORLD rtl UNITS ${unit} BUILDS ${package_target}
-    COMMAND $<TARGET_FILE:Python3::Interpreter> ${PROJECT_SOURCE_DIR}/tests/pipeline/synthesis_test.py ${HALFSPACE_YOSYS} ${package}
+    COMMAND $<TARGET_FILE:Python3::Interpreter> ${PROJECT_SOURCE_DIR}/tests/pipeline/synthesis_test.py
+      ${HALFSPACE_YOSYS} ${package}
             hs_${unit} ${lanes} ${S_FINDS})
 endfunction()

@@ -1,4 +1,5 @@
-# motion_compensate: its top in three configurations, its bench with each filter, without stalls to the cycle, and faults in it.
+# motion_compensate: its top in three configurations, its bench with each filter, without stalls to the cycle, and
+# faults in it.
 foreach(config IN ITEMS MotionLow MotionMiddle MotionHigh)
   halfspace_tops_test(compensate_tops_test_${config} compensate_tops_test.cpp ${config} motion/motion_configs.hpp
                       UNITS motion_compensate TOPS motion_compensate)
@@ -11,8 +12,8 @@ endforeach()
 halfspace_lint(lint_compensate UNITS motion_compensate CONFIGS ${configs})
 halfspace_faults(faults_compensate compensate motion_high SCENE compensation UNITS motion_compensate)
 
-# Multipliers: of each key and channel 3 for two by two pixels and 15 for four by four, and one of each channel's blend. Memories: of
-# each key a bank for each pixel of a block.
+# Multipliers: of each key and channel 3 for two by two pixels and 15 for four by four, and one of each channel's blend.
+# Memories: of each key a bank for each pixel of a block.
 function(halfspace_compensate_left config multipliers memories)
   halfspace_synthesis(synthesis_compensate_${config} motion_compensate ${config} 4
                       FINDS "-assert-count ${multipliers} t:$mul" "-assert-count ${memories} t:$mem_v2")

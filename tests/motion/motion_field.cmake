@@ -1,5 +1,5 @@
-# The motion field: the tops, units and pipeline of the RTL against the kernels on corner cases, random triangles and places, and
-# on scenes; lint, faults, and what Yosys finds.
+# The motion field: the tops, units and pipeline of the RTL against the kernels on corner cases, random triangles and
+# places, and on scenes; lint, faults, and what Yosys finds.
 foreach(config IN ITEMS MotionLow MotionMiddle)
   halfspace_tops_test(motion_field_tops_test_${config} motion_field_tops_test.cpp ${config} motion/motion_configs.hpp
                       UNITS motion_setup motion_field TOPS motion_setup motion_field)

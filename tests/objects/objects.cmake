@@ -15,11 +15,15 @@ halfspace_merge(objects_low 4)
 halfspace_merge(objects_middle 1)
 halfspace_merge(objects_high 16)
 
-# Whole frames without stalls. Rates and accesses in reference, kernels and RTL, and the cycles of the model, which knows of no objects: they
-# cost none. A pixel a cycle sets the pace: the queue before scan_object has to hold all that is on its way through the longest shader.
-halfspace_cosim(pipeline_objects_low_4_castle pipeline objects_low 4 castle STALL 0 OPTIONS --bound 1.25 VECTORS --no-corners)
-halfspace_cosim(pipeline_objects_phong_1_teapot pipeline objects_phong 1 teapot STALL 0 OPTIONS --bound 1.01 VECTORS --no-corners)
-halfspace_cosim(pipeline_objects_low_1_teapot pipeline objects_low 1 teapot STALL 0 OPTIONS --bound 1.01 VECTORS --no-corners)
+# Whole frames without stalls. Rates and accesses in reference, kernels and RTL, and the cycles of the model, which
+# knows of no objects: they cost none. A pixel a cycle sets the pace: the queue before scan_object has to hold all that
+# is on its way through the longest shader.
+halfspace_cosim(pipeline_objects_low_4_castle pipeline objects_low 4 castle STALL 0 OPTIONS --bound 1.25
+                VECTORS --no-corners)
+halfspace_cosim(pipeline_objects_phong_1_teapot pipeline objects_phong 1 teapot STALL 0 OPTIONS --bound 1.01
+                VECTORS --no-corners)
+halfspace_cosim(pipeline_objects_low_1_teapot pipeline objects_low 1 teapot STALL 0 OPTIONS --bound 1.01
+                VECTORS --no-corners)
 # Indices of invisible triangles are used again: the table has the object of the last triangle of an index.
 halfspace_cosim(pipeline_objects_low_4_reuse pipeline objects_low 4 castle VECTORS --window 64 --random 1)
 
@@ -27,8 +31,8 @@ halfspace_lint(lint_objects UNITS scan_object ztest_merge pipeline CONFIGS objec
 halfspace_faults(faults_objects objects objects_low UNITS pipeline)
 halfspace_faults(faults_merge merge objects_low SCENE merge UNITS ztest_merge)
 
-# Objects bring no multiplier to the 11 of the pipeline, and three memories to its 8: the second bank of the Z-buffer, the object table,
-# a queue. ztest_merge has neither.
+# Objects bring no multiplier to the 11 of the pipeline, and three memories to its 8: the second bank of the Z-buffer,
+# the object table, a queue. ztest_merge has neither.
 halfspace_synthesis(synthesis_objects_middle pipeline objects_middle 1
                     FINDS "-assert-count 11 t:$mul" "-assert-count 11 t:$mem_v2")
 halfspace_synthesis(synthesis_ztest_merge ztest_merge objects_low 4

@@ -16,7 +16,8 @@ halfspace_units_cosim(high 4 standard 10)
 function(halfspace_frames_cosim config lanes)
   halfspace_cosim(pipeline_standard_${config}_${lanes} pipeline ${config} ${lanes} standard SEEDS 10)
   foreach(scene teapot castle)
-    halfspace_cosim(pipeline_${scene}_${config}_${lanes} pipeline ${config} ${lanes} ${scene} STALL 0 OPTIONS --bound 1.25 VECTORS --no-corners)
+    halfspace_cosim(pipeline_${scene}_${config}_${lanes} pipeline ${config} ${lanes} ${scene} STALL 0
+                    OPTIONS --bound 1.25 VECTORS --no-corners)
   endforeach()
 endfunction()
 halfspace_frames_cosim(low 4)
@@ -29,7 +30,8 @@ halfspace_units_cosim(low 4 largest 2)
 halfspace_cosim(pipeline_largest_middle_4 pipeline middle 4 largest SEEDS 2)
 halfspace_cosim(pipeline_largest_high_4 pipeline high 4 largest STALL 0)
 foreach(scene teapot castle)
-  halfspace_cosim(pipeline_${scene}_middle_4_stalls pipeline middle 4 ${scene} SEEDS 10 VECTORS --no-corners --size 320x240)
+  halfspace_cosim(pipeline_${scene}_middle_4_stalls pipeline middle 4 ${scene} SEEDS 10
+                  VECTORS --no-corners --size 320x240)
 endforeach()
 # halfspace_model_cosim(CONFIG FILE …): a scene file.
 function(halfspace_model_cosim config file)
@@ -37,7 +39,8 @@ function(halfspace_model_cosim config file)
   halfspace_cosim(pipeline_${stem}_${config}_4 pipeline ${config} 4 ${HALFSPACE_TESTMODELS}/${file} ${ARGN})
 endfunction()
 halfspace_model_cosim(middle OBJ/spider.obj STALL 10 SEEDS 2 VECTORS --no-corners)
-halfspace_model_cosim(high glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb STALL 0 VECTORS --no-corners --size 640x480)
+halfspace_model_cosim(high glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb STALL 0
+                      VECTORS --no-corners --size 640x480)
 halfspace_model_cosim(middle Collada/box_nested_animation.dae STALL 10 VECTORS --no-corners --time 1.5)
 
 # The netlist that Yosys makes of the pipeline.
@@ -60,10 +63,12 @@ halfspace_cosim(pipeline_reuse_castle pipeline reuse 4 castle SEEDS 3 VECTORS --
 foreach(config IN LISTS HALFSPACE_CONFIGS)
   foreach(lanes IN LISTS HALFSPACE_LANES)
     foreach(unit IN LISTS HALFSPACE_UNITS_${config})
-      halfspace_cosim(${unit}_standard_${config}_${lanes}_long ${unit} ${config} ${lanes} standard STALL 35 SEEDS 10 LONG)
+      halfspace_cosim(${unit}_standard_${config}_${lanes}_long ${unit} ${config} ${lanes} standard STALL 35
+                      SEEDS 10 LONG)
     endforeach()
     foreach(scene IN ITEMS teapot castle)
-      halfspace_cosim(pipeline_${scene}_${config}_${lanes}_long pipeline ${config} ${lanes} ${scene} SEEDS 10 LONG VECTORS --no-corners)
+      halfspace_cosim(pipeline_${scene}_${config}_${lanes}_long pipeline ${config} ${lanes} ${scene} SEEDS 10 LONG
+                      VECTORS --no-corners)
     endforeach()
   endforeach()
 endforeach()

@@ -3,8 +3,10 @@ set(scene --textured-scene ${HALFSPACE_TESTMODELS}/Collada/duck.dae)
 halfspace_matrix(matrix matrix_test.py UNITS pipeline OPTIONS ${scene} --lanes 4 --seeds 2
   CASES low-gamma-phong middle-delta-phong high-delta-gouraud low-gamma-flat-nearest-affine
         middle-delta-gouraud-bilinear-perspective high-delta-phong-bilinear-perspective)
-halfspace_matrix(matrix_1 matrix_test.py UNITS pipeline OPTIONS ${scene} --lanes 1 --seeds 2 CASES low-delta-gouraud-nearest-perspective)
-halfspace_matrix(matrix_16 matrix_test.py UNITS pipeline OPTIONS ${scene} --lanes 16 --seeds 2 CASES middle-gamma-phong-bilinear-affine)
+halfspace_matrix(matrix_1 matrix_test.py UNITS pipeline OPTIONS ${scene} --lanes 1 --seeds 2
+                 CASES low-delta-gouraud-nearest-perspective)
+halfspace_matrix(matrix_16 matrix_test.py UNITS pipeline OPTIONS ${scene} --lanes 16 --seeds 2
+                 CASES middle-gamma-phong-bilinear-affine)
 set(all "")
 foreach(size IN ITEMS low middle high)
   foreach(architecture IN ITEMS delta gamma)

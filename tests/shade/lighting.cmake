@@ -27,8 +27,8 @@ foreach(unit triangle_setup visible_select light_vertex shade_setup)
   halfspace_cosim(${unit}_netlist_lit_high ${unit} lit_high 4 standard NETLIST)
 endforeach()
 
-# Multipliers: three a dot product, of which there are |n|² and one or two a light; the root's; a cosine's and a channel's for
-# diffuse light and for highlights; the squarings. Memories: the materials, and their exponents.
+# Multipliers: three a dot product, of which there are |n|² and one or two a light; the root's; a cosine's and a
+# channel's for diffuse light and for highlights; the squarings. Memories: the materials, and their exponents.
 function(halfspace_lighting_left config multipliers memories)
   halfspace_synthesis(synthesis_${config} light_vertex ${config} 4
                       FINDS "-assert-count ${multipliers} t:$mul" "-assert-count ${memories} t:$mem_v2")
