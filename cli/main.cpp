@@ -6,6 +6,7 @@
 #include <exception>
 
 #include "cli/commands.hpp"
+#include "cli/common/files.hpp"
 #include "ref/error.hpp"
 #include "vectors/staging.hpp"
 
@@ -95,6 +96,10 @@ int main(int argc, char** argv) {
       "halfspace: 3-D raster kernels for FPGA. A scene is rendered by the floating-point reference (ref) and by the\n"
       "fixed-point kernels (hls); vector files carry every stream between two units to the co-simulation of the RTL.",
       "halfspace"};
+  app.set_version_flag(
+      "--version",
+      [] { return fmt::format("halfspace {}\nfiles: {}", HALFSPACE_VERSION, halfspace::cli::data_folder()); },
+      "the version, and the folder of the RTL and the bench that commands build");
   app.require_subcommand(1);
   app.failure_message([](const CLI::App*, const CLI::Error& error) {
     return fmt::format("halfspace: {}: --help tells the options\n", error.what());

@@ -11,6 +11,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "cli/common/files.hpp"
 #include "model/pipeline/package.hpp"
 #include "ref/error.hpp"
 #include "vectors/staging.hpp"
@@ -66,11 +67,10 @@ std::vector<std::string> area_targets(const std::string& text) {
 }
 
 std::string area_sources() {
-  const fs::path tool = HALFSPACE_AREA_TOOL;
   std::vector<fs::path> files;
-  for (const fs::path& folder : {tool.parent_path(), tool.parent_path().parent_path()}) {
-    std::error_code absent;
-    for (const auto& entry : fs::directory_iterator(folder, absent)) {
+  const fs::path rtl = data_file("rtl");
+  for (const fs::path& folder : {rtl / "synth", rtl}) {
+    for (const auto& entry : fs::directory_iterator(folder)) {
       if (entry.path().extension() == ".sv" || entry.path().extension() == ".py") files.push_back(entry.path());
     }
   }
@@ -87,7 +87,7 @@ Json measure_area(const model::Configuration& configuration, const std::vector<s
   const std::string log = (folder / "area.log").string();
   model::write_file(package, model::formats_package(configuration));
   const int status =
-      run_program({"python3", HALFSPACE_AREA_TOOL, "--package", package, "--lanes",
+      run_program({"python3", data_file("rtl/synth/area.py"), "--package", package, "--lanes",
                    std::to_string(configuration.config().lanes), "--targets", joined(targets), "--json", json},
                   log);
   std::ifstream file(json);

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "cli/common/files.hpp"
 #include "cli/common/shell.hpp"
 #include "model/pipeline/package.hpp"
 #include "ref/error.hpp"
@@ -31,9 +32,9 @@ Cosimulation cosimulate(const std::string& folder, const std::string& scene, con
   const std::string package = (work / "hs_formats_pkg.sv").string(), report = (work / "cosim.json").string();
   model::write_file(package, model::formats_package(configuration));
   run(fmt::format("python3 {} --package {} --lanes {} --out {} --library {} --library {}",
-                  shell_quoted(HALFSPACE_MODEL_TOOL), shell_quoted(package), lanes,
-                  shell_quoted((work / "model").string()), shell_quoted(HALFSPACE_TB_LIBRARY),
-                  shell_quoted(HALFSPACE_VERILATED_LIBRARY)),
+                  shell_quoted(data_file("tb/model.py")), shell_quoted(package), lanes,
+                  shell_quoted((work / "model").string()), shell_quoted(bench_library("halfspace_tb")),
+                  shell_quoted(bench_library("halfspace_verilated"))),
       (work / "model.log").string(), "building the bench");
   model::write_vector_set((work / "vectors").string(), {scene, configuration, lanes, 0}, frames, nullptr);
   std::filesystem::remove(report);
