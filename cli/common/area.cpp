@@ -68,11 +68,8 @@ std::vector<std::string> area_targets(const std::string& text) {
 
 std::string area_sources() {
   std::vector<fs::path> files;
-  const fs::path rtl = data_file("rtl");
-  for (const fs::path& folder : {rtl / "synth", rtl}) {
-    for (const auto& entry : fs::directory_iterator(folder)) {
-      if (entry.path().extension() == ".sv" || entry.path().extension() == ".py") files.push_back(entry.path());
-    }
+  for (const auto& entry : fs::recursive_directory_iterator(data_file("rtl"))) {
+    if (entry.path().extension() == ".sv" || entry.path().extension() == ".py") files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());
   std::ostringstream all;

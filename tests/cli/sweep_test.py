@@ -7,7 +7,9 @@ import csv
 import itertools
 import json
 import math
+import os
 import pathlib
+import shutil
 import struct
 import subprocess
 import sys
@@ -277,6 +279,20 @@ class Sweep(unittest.TestCase):
         self.assertIn("2 of 4 points failed", failed.stderr)
         self.assertEqual(len(list((self.root / "failed/points").iterdir())), 2)
         self.assertFalse((self.root / "failed/sweep.csv").exists())
+
+    def test_an_edited_module_is_measured_again(self):
+        data = self.root / "data"
+        shutil.copytree(pathlib.Path(good("--version").split("files: ")[1].strip()) / "rtl", data / "rtl")
+
+        def points():
+            return good("sweep", "cube", *SIZE, "--config", "low", "--area", "xilinx", "--list", "--out", self.root / "w",
+                        env={**os.environ, "HALFSPACE_DATA": str(data)}).splitlines()
+        before = points()
+        self.assertEqual(before, points())
+        module = data / "rtl/raster/hs_raster_pineda.sv"
+        module.write_text(module.read_text().replace("module ", "module  "))
+        changed = set(before) - set(points())
+        self.assertTrue(changed and all("area" in line for line in changed), changed)
 
     def test_bad_input(self):
         (self.root / "a.tri").write_text("size 40 30\nt 1 1 .5 9 9 9  30 2 .5 9 9 9  4 20 .5 9 9 9\n")
