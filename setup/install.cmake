@@ -34,6 +34,7 @@ endif()
 install(DIRECTORY rtl tb DESTINATION ${data} COMPONENT rtl
   PATTERN CMakeLists.txt EXCLUDE PATTERN faults EXCLUDE PATTERN __pycache__ EXCLUDE)
 install(FILES hls/units.txt DESTINATION ${data}/hls COMPONENT rtl)
+install(FILES halfspace.core Bender.yml DESTINATION ${data} COMPONENT rtl)
 install(DIRECTORY vectors/standard DESTINATION ${data}/vectors COMPONENT vectors)
 install(DIRECTORY tests/configs/ DESTINATION ${data}/configs COMPONENT vectors)
 install(DIRECTORY cli/sweep DESTINATION ${data} COMPONENT program
