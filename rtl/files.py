@@ -9,10 +9,11 @@ import pathlib
 import re
 import sys
 
-RTL = pathlib.Path(__file__).resolve().parent
+sys.dont_write_bytecode = True  # no __pycache__ between the sources
+from units import BESIDE, RTL, ordered  # noqa: E402
+
 CONFIGS, DEFAULT = ("low", "middle", "high"), "middle"
 TOP = "hs_pipeline"
-BESIDE = ("hs_motion_compensate", "hs_ztest_merge")  # units with memories between them and the pipeline
 PROJECT = re.compile(r'^project\(halfspace VERSION ([\d.]+) DESCRIPTION "([^"]+)"', re.MULTILINE)
 
 
@@ -20,32 +21,11 @@ class Fault(Exception):
     """A sentence."""
 
 
-def sources(rtl=RTL):
-    """{stem: path} of every module."""
-    return {path.stem: path for path in sorted(rtl.glob("*/hs_*.sv"))}
-
-
-def instantiated(path, known):
-    """The names in a module that are modules, in alphabetical order."""
-    code = re.sub(r'"[^"\n]*"|//[^\n]*|/\*.*?\*/', "", path.read_text(), flags=re.DOTALL)
-    return sorted(set(re.findall(r"\bhs_\w+\b", code)) & known - {path.stem})
-
-
-def closure(tops, rtl=RTL):
-    """{stem: path} of modules and of all below them, each after those that it instantiates."""
-    paths, found = sources(rtl), {}
-
-    def visit(stem):
-        if stem in found:
-            return
-        for name in instantiated(paths[stem], set(paths)):
-            visit(name)
-        found[stem] = paths[stem]
-
-    for top in tops:
-        if top not in paths:
-            raise Fault(f"there is no module {top} in {rtl}")
-        visit(top)
+def closure(top, rtl=RTL):
+    """{stem: path} of a module and of all below it, each after those that it instantiates."""
+    found = ordered([top], rtl)
+    if not found:
+        raise Fault(f"there is no module {top} in {rtl}")
     return found
 
 
@@ -72,10 +52,10 @@ def project(root):
 def filesets(rtl=RTL):
     """{name: paths below the root of the project}: the pipeline, and what each module beside it has besides."""
     sets, listed = {}, set()
-    for top in (TOP, *BESIDE):
-        below = [stem for stem in closure([top], rtl) if stem not in listed]
-        listed.update(below)
-        sets[top.removeprefix("hs_")] = [f"rtl/{sources(rtl)[stem].relative_to(rtl)}" for stem in below]
+    for top in (TOP, *(f"hs_{unit}" for unit in BESIDE)):
+        new = {stem: path for stem, path in closure(top, rtl).items() if stem not in listed}
+        listed.update(new)
+        sets[top.removeprefix("hs_")] = [f"rtl/{path.relative_to(rtl)}" for path in new.values()]
     return sets
 
 
@@ -121,7 +101,7 @@ def bender(rtl=RTL):
             f"# halfspace {version} for Bender. Printed by `rtl/files.py --format bender`: change modules, not this.\n"
             f"# Targets: {', '.join(CONFIGS)}: the package of a configuration, {DEFAULT} if none is named;\n"
             "# own_package: none of these, for one that `halfspace package` printed, which you list in your sources;\n"
-            f"# {', '.join(name[3:] for name in BESIDE)}: the unit beside the pipeline too.\n"
+            f"# {', '.join(BESIDE)}: the unit beside the pipeline too.\n"
             f'package:\n  name: halfspace\n  description: "{description}"\n  authors: ["the authors of halfspace"]\n\n'
             "sources:\n"]
     for config in CONFIGS:
@@ -145,7 +125,7 @@ def main():
             sys.stdout.write(core() if args.format == "core" else bender())
             return 0
         top = args.top if args.top.startswith("hs_") else f"hs_{args.top}"
-        paths = [str(path) for path in [package_of(args.config), *closure([top]).values()]]
+        paths = [str(path) for path in [package_of(args.config), *closure(top).values()]]
         quoted = "".join(f'  "{path}"\n' for path in paths)
         print("\n".join(paths) if args.format == "f" else f"set(HALFSPACE_RTL\n{quoted})")
         return 0

@@ -44,16 +44,31 @@ def sources(rtl=RTL):
     return {path.stem: path for path in sorted(rtl.glob("*/hs_*.sv"))}
 
 
+def instantiated(path, known):
+    """The names in a module that are modules, in alphabetical order."""
+    code = re.sub(r'"[^"\n]*"|//[^\n]*|/\*.*?\*/', "", path.read_text(), flags=re.DOTALL)
+    return sorted(set(re.findall(r"\bhs_\w+\b", code)) & known - {path.stem})
+
+
+def ordered(tops, rtl=RTL):
+    """{stem: path} of modules and of all below them, each after those that it instantiates; none of what is not there."""
+    paths, found = sources(rtl), {}
+
+    def visit(stem):
+        if stem in found or stem not in paths:
+            return
+        for name in instantiated(paths[stem], set(paths)):
+            visit(name)
+        found[stem] = paths[stem]
+
+    for top in tops:
+        visit(top)
+    return found
+
+
 def below(top, rtl=RTL):
-    """{stem: path} of a module and of all that it instantiates; nothing if there is no such module."""
-    paths = sources(rtl)
-    found, waiting = {}, [top]
-    while waiting:
-        stem = waiting.pop()
-        if stem not in found and stem in paths:
-            found[stem] = paths[stem]
-            waiting += re.findall(r"^\s*(hs_\w+)\s+(?:#\s*\(|u_\w+)", paths[stem].read_text(), re.MULTILINE)
-    return dict(sorted(found.items()))
+    """The same of one module, by name: what tools make of sources depends on the order in which they read them."""
+    return dict(sorted(ordered([top], rtl).items()))
 
 
 def parameters(module, lanes, numbers):
