@@ -2,7 +2,6 @@
 // halfspace config and halfspace package
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -22,14 +21,10 @@ Json config_json(const Configuration& configuration) {
   Json json = {{"name", configuration.name()}};
   json.update(to_json(c));
   const FormatTable table = format_table(c);
-  for (const auto* fields : {&model::format_fields(), &model::lighting_format_fields(), &model::texture_format_fields(),
-                             &model::motion_format_fields()}) {
-    for (const auto& field : *fields) {
-      if (!field.is_used(c)) continue;
-      const NumberFormat format = table.*field.format;
-      json["formats"][field.name] = {
-          {"width", format.width}, {"integer", format.integer}, {"signed", format.is_signed}};
-    }
+  for (const model::FormatField& field : model::format_fields()) {
+    if (!field.is_used(c)) continue;
+    const NumberFormat format = table.*field.format;
+    json["formats"][field.name] = {{"width", format.width}, {"integer", format.integer}, {"signed", format.is_signed}};
   }
   return json;
 }
@@ -49,47 +44,27 @@ void print_table(const std::vector<Configuration>& configurations, bool markdown
   for (const Configuration& c : configurations) names.push_back(c.name()), rule.push_back("---");
   row("", names, "");
   if (markdown) row("---", rule, "---");
-  auto numbers = [&](const std::vector<model::ConfigField>& fields) {
-    for (const auto& field : fields) {
-      std::vector<std::string> cells;
-      for (const Configuration& c : configurations) cells.push_back(std::to_string(c.config().*field.value));
-      row(field.name, cells, field.what);
-    }
-  };
-  numbers(model::config_fields());
-  auto choice = [&](const char* name) {
+  // What some of them have.
+  auto rows = [&](auto is_there, auto cell_of, const char* name, const char* what) {
     std::vector<std::string> cells;
-    for (const Configuration& c : configurations) cells.push_back(model::choice_name(name, c.config()));
-    row(name, cells, model::choice_field(name).what);
-  };
-  auto any = [&](bool (*is)(const Config&)) {
-    return std::any_of(configurations.begin(), configurations.end(),
-                       [&](const Configuration& c) { return is(c.config()); });
-  };
-  choice("shading");
-  choice("architecture");
-  const bool lit = any(has_lighting), textured = any(has_texture), moves = any(has_motion), numbered = any(has_objects);
-  if (lit) numbers(model::lighting_fields());
-  if (textured) choice("texture");
-  if (textured || moves) choice("mapping");
-  if (textured) numbers(model::texture_fields());
-  if (moves) choice("filter"), numbers(model::motion_fields());
-  if (numbered) numbers(model::object_fields());
-  auto formats = [&](const std::vector<model::FormatField>& fields) {
-    for (const auto& field : fields) {
-      std::vector<std::string> cells;
-      for (const Configuration& configuration : configurations) {
-        const Config c = configuration.config();
-        cells.push_back(field.is_used(c) ? model::format_name(format_table(c).*field.format) : "–");
-      }
-      row(field.name, cells, field.why);
+    bool any = false;
+    for (const Configuration& configuration : configurations) {
+      const Config c = configuration.config();
+      any = any || is_there(c);
+      cells.push_back(cell_of(c));
     }
+    if (any) row(name, cells, what);
   };
-  formats(model::format_fields());
-  if (lit) formats(model::lighting_format_fields());
-  if (textured || moves) formats(model::texture_format_fields());
-  if (moves) formats(model::motion_format_fields());
-  if (numbered) formats(model::object_format_fields());
+  for (const model::ConfigField& field : model::config_fields()) {
+    rows([&](const Config& c) { return has_part(field.part, c); }, [&](const Config& c) { return field.text(c); },
+         field.name, field.what);
+  }
+  for (const model::FormatField& field : model::format_fields()) {
+    const auto cell = [&](const Config& c) {
+      return field.is_used(c) ? model::format_name(format_table(c).*field.format) : "–";
+    };
+    rows(field.is_used, cell, field.name, field.why);
+  }
 }
 
 struct Options {

@@ -105,8 +105,8 @@ Json to_json(const model::FitArchitecture& a) {
 void print_numbers(const Fit& fit, const Configuration& high) {
   const Config c = fit.configuration.config(), h = high.config();
   fmt::print("\n{:<18} {:>9} {:>9}\n", "", fit.configuration.name(), high.name());
-  for (const auto& field : model::config_fields())
-    fmt::print("{:<18} {:>9} {:>9}\n", field.name, c.*field.value, h.*field.value);
+  for (const auto& field : model::numbers_of(Part::kBase))
+    fmt::print("{:<18} {:>9} {:>9}\n", field.name, field.get(c), field.get(h));
   if (has_objects(c)) fmt::print("{:<18} {:>9} {:>9}\n", "object_bits", c.object_bits, h.object_bits);
   fmt::print("\none bit less:\n");
   for (const auto& less : fit.less) fmt::print("  {:<26} {}\n", less.change, less.result);
@@ -191,7 +191,7 @@ void fit(const Options& options) {
   for (const std::string& line : gone) fmt::print("  {}\n", line);
   const Configuration high = model::find_configuration("high");
   if (!found.architecture.why.empty()) {
-    fmt::print("type {}: {}\n", model::choice_name("architecture", found.configuration.config()),
+    fmt::print("type {}: {}\n", model::find_field("architecture")->text(found.configuration.config()),
                found.architecture.why);
   }
   if (!found.objects.why.empty()) {

@@ -40,12 +40,10 @@ Json to_json(const model::Accuracy& a) {
 
 Json to_json(const Config& config) {
   Json json;
-  for (const auto& field : model::config_fields()) json[field.name] = config.*field.value;
-  for (const auto& field : model::choice_fields()) json[field.name] = model::choice_name(field.name, config);
-  for (const auto& field : model::lighting_fields()) json[field.name] = config.*field.value;
-  for (const auto& field : model::texture_fields()) json[field.name] = config.*field.value;
-  for (const auto& field : model::motion_fields()) json[field.name] = config.*field.value;
-  for (const auto& field : model::object_fields()) json[field.name] = config.*field.value;
+  for (const model::ConfigField& field : model::config_fields()) {
+    if (field.is_number()) json[field.name] = field.get(config);
+    else json[field.name] = field.text(config);
+  }
   return json;
 }
 

@@ -99,7 +99,7 @@ ref::Frame draw_by(const Options& options, const LoadedScene& loaded, Counts& co
     scene = has_texture(config) ? *loaded.scene
                                 : ref::load_scene(options.input.scene, options.input.time, !options.texture.empty());
     geometry.emplace(*scene, ref::View{list.width, list.height, list.format.range_bits, list.format.subpixel_bits});
-    const std::string given = model::choice_name("shading", config);
+    const std::string given = model::find_field("shading")->text(config);
     surface = ref::lit_surface(*geometry, list,
                                kind_of(ref::kShadingModes, options.shading.empty() ? given : options.shading));
     if (!options.texture.empty()) {
@@ -114,7 +114,7 @@ ref::Frame draw_by(const Options& options, const LoadedScene& loaded, Counts& co
   ref::Drawing drawing =
       ref::draw(list, *surface, architecture, true, {}, circuit_of(loaded.configuration, options.lanes));
   counts.rates = all_rates(drawing.rates);
-  if (options.shading.empty() || options.shading == model::choice_name("shading", config)) {
+  if (options.shading.empty() || options.shading == model::find_field("shading")->text(config)) {
     if (has_objects(config))
       model::add_object_uses(list.width * std::uint64_t(list.height), drawing.rates.triangles, drawing.buffers);
     counts.buffers = to_json(drawing.buffers, bits_of(architecture, config));

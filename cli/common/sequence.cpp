@@ -116,11 +116,12 @@ model::Configuration colour_configuration(const SequenceOptions& options, const 
 void set_number(Config& config, const std::string& text) {
   const std::size_t sign = text.find('=');
   std::string known;
-  for (const model::ConfigField& field : model::motion_fields()) {
+  for (const model::ConfigField& field : model::config_fields()) {
+    if (!field.is_number() || (field.part != Part::kCoordinates && field.part != Part::kMotion)) continue;
     known += fmt::format("{}{}", known.empty() ? "" : ", ", field.name);
     if (sign == std::string::npos || text.compare(0, sign, field.name) != 0 || text.size() == sign + 1) continue;
     if (text.find_first_not_of("0123456789", sign + 1) != std::string::npos || text.size() > sign + 7) break;
-    config.*field.value = std::stoi(text.substr(sign + 1));
+    field.set(config, std::stoi(text.substr(sign + 1)));
     return;
   }
   throw ref::Error(fmt::format("--set {}: no number of the motion: write it like weight_bits=4, of {}", text, known));

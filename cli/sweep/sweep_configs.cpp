@@ -27,15 +27,15 @@ int whole_number(const std::string& text, const std::string& option) {
 
 // The numbers that can be varied: those that every configuration has, and the bits of objects.
 std::vector<model::ConfigField> varied_fields() {
-  std::vector<model::ConfigField> fields = model::config_fields();
-  for (const auto& field : model::object_fields()) fields.push_back(field);
+  std::vector<model::ConfigField> fields = model::numbers_of(Part::kBase);
+  for (const auto& field : model::numbers_of(Part::kObjects)) fields.push_back(field);
   return fields;
 }
 
 void set_value(Config& config, const std::string& key, const std::string& value) {
   if (key == kShading) config.shading = value == "flat" ? Shading::kFlat : Shading::kGouraud;
   for (const auto& field : varied_fields()) {
-    if (field.name == key) config.*field.value = std::stoi(value);
+    if (field.name == key) field.set(config, std::stoi(value));
   }
 }
 

@@ -20,7 +20,7 @@ struct AreaReciprocal {
 
 template <class F>
 AreaReciprocal<F> area_reciprocal(const typename F::Area& area) {
-  const int top = F::kAreaBits - 1;
+  const int top = F::Area::width() - 1;
   // Normalize: the leading one moves to bit 2c − 1, by halves of the word.
   std::uint64_t divisor = raw(area);
   int shift = top;

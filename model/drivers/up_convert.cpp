@@ -110,9 +110,9 @@ Configuration motion_configuration(const Configuration& colour, const Config& mo
 
 Configuration colour_configuration(const Configuration& motion) {
   Config c = motion.config();
-  for (const ConfigField& field : motion_fields()) c.*field.value = 0;
-  c.filter = KeyFilter::kNone;
-  c.mapping = TextureMapping::kAffine;
+  for (const ConfigField& field : config_fields()) {
+    if (field.part == Part::kMotion || field.part == Part::kCoordinates) field.set(c, 0);
+  }
   c.shading = Shading::kGouraud;
   c.colour_fraction = least_fraction(c, c.colour_bits);
   return Configuration("colour_of_" + motion.name(), c);
@@ -151,7 +151,7 @@ KernelUpConverter::KernelUpConverter(const KernelUpConversion& mode)
   for (const auto field : kShared) {
     if (colour.*field == motion_.*field) continue;
     for (const ConfigField& named : config_fields()) {
-      if (named.value != field) continue;
+      if (named.number != field) continue;
       throw ref::Error(
           fmt::format("configurations {} and {}: {} differs, so that the field would have other edges than the frames: "
                       "take the same",

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "hls/formats/formats.hpp"
+#include "hls/formats/setup_interval.hpp"
 
 namespace halfspace::model {
 namespace {

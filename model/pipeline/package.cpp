@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "hls/formats/records.hpp"
+#include "hls/formats/setup_interval.hpp"
 #include "hls/motion/key_filter.hpp"
 #include "hls/shade/reciprocal_sqrt.hpp"
 #include "hls/texture/reciprocal_lookup.hpp"

@@ -22,7 +22,7 @@ void expect_reciprocal() {
   std::mt19937_64 random(5);
   const int r = F::kReciprocalFraction;
   for (int n = 0; n < 200000; ++n) {
-    const int width = 1 + n % F::kAreaBits;
+    const int width = 1 + n % F::Area::width();
     std::uint64_t area = (random() & ((std::uint64_t(1) << width) - 1)) | std::uint64_t(1) << (width - 1);
     if (n % 7 == 0) area = std::uint64_t(1) << (width - 1);
     if (n % 7 == 1) area = (std::uint64_t(1) << width) - 1;
@@ -36,7 +36,7 @@ void expect_reciprocal() {
     ASSERT_LE(std::uint64_t(exact), std::uint64_t(1) << r);
   }
   // The largest areas come to 2^(r−1) itself.
-  const auto largest = area_reciprocal<F>(from_raw<typename F::Area>((std::uint64_t(1) << F::kAreaBits) - 1));
+  const auto largest = area_reciprocal<F>(from_raw<typename F::Area>((std::uint64_t(1) << F::Area::width()) - 1));
   EXPECT_EQ(std::uint64_t(raw(largest.reciprocal)), std::uint64_t(1) << (r - 1));
 }
 TEST(Reciprocal, IsRoundedCorrectly) {
@@ -56,7 +56,7 @@ void expect_product() {
     std::int64_t numerator = std::int64_t(k % 5 == 0 ? mask : random() & mask);
     if (k % 2) numerator = -numerator;
     const std::uint64_t reciprocal = (std::uint64_t(1) << (r - 1)) + random() % ((std::uint64_t(1) << (r - 1)) + 1);
-    const int shift = int(random() % F::kAreaBits);  // s
+    const int shift = int(random() % F::Area::width());  // s
     const int n = shift + r - F::kSubpixelBits - Channel::PlaneValue::fraction();
     const Wide half = n > 0 ? Wide(1) << (n - 1) : 0;
     const Wide exact = (Wide(numerator) * Wide(reciprocal) + half) >> n;

@@ -181,7 +181,8 @@ TEST_P(Lighting, NoWidthIsABitTooWide) {
   const auto right = model::make_lighting_engine(config);
   std::vector<std::vector<std::array<std::array<std::uint64_t, 3>, 3>>> sums;
   for (const LightingFrame& frame : frames) sums.push_back(right->sums(frame));
-  for (const model::FormatField& field : model::lighting_format_fields()) {
+  for (const model::FormatField& field : model::format_fields()) {
+    if (field.part != Part::kLighting) continue;
     FormatTable table = format_table(config);
     NumberFormat& format = table.*field.format;
     if (format.width == 1 || !field.is_used(config)) continue;

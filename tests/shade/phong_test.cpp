@@ -286,7 +286,7 @@ TEST(PhongFormats, NoWidthIsABitTooWide) {
       return all;
     };
     const auto right = model::make_engine(configuration_of(config), 1);
-    for (const model::FormatField& field : model::lighting_format_fields()) {
+    for (const model::FormatField& field : model::format_fields()) {
       if (std::string(field.name).rfind("normal_", 0) != 0) continue;
       FormatTable table = format_table(config);
       NumberFormat& format = table.*field.format;

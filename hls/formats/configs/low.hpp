@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Configuration `low` for the kernels, in the order of Config. Printed by `halfspace config low --header FILE` from its
-// .toml file: change that, not this one.
+// Configuration `low` for the kernels, in the order of Config.
+// Printed by `halfspace config low --header FILE` from its .toml file: change that, not this one.
 #ifndef HALFSPACE_CONFIGS_LOW_HPP_
 #define HALFSPACE_CONFIGS_LOW_HPP_
 
@@ -9,7 +9,9 @@
 namespace halfspace {
 
 struct Low {
-  static constexpr Config config() { return {"low", 320, 200, 4096, 10, 4, 16, 8, 18, 13, 14, 4, Shading::kGouraud}; }
+  static constexpr Config config() {
+    return {"low", 320, 200, 4096, 10, 4, 16, 8, 18, 13, 14, 4, Shading::kGouraud, Architecture::kDelta};
+  }
 };
 
 }  // namespace halfspace
