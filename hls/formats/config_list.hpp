@@ -63,8 +63,8 @@ HS_NUMBER(kCoordinates, coordinate_fraction, has_coordinates, range(1, 40), kFra
           "g: fraction bits of the gradients of texture coordinates, or of places")
 
 HS_CHOICE(kMotion, filter, KeyFilter,
-          "of key frames: \"nearest\", \"bilinear\", \"area\": weighted by area and distance, or \"bicubic\"",
-          "none", "nearest", "bilinear", "area", "bicubic")
+          "of key frames: \"nearest\", \"bilinear\", \"area\": weighted by area and distance, or \"bicubic\"", "none",
+          "nearest", "bilinear", "area", "bicubic")
 HS_NUMBER(kMotion, vector_range, has_motion, range(1, 13), kVector,
           "components of a vector lie in [−2^vector_range, 2^vector_range) pixels")
 HS_NUMBER(kMotion, vector_fraction, has_motion, range(1, 8), kVector, "and are multiples of 2^−vector_fraction")
