@@ -51,7 +51,7 @@ def instantiated(path, known):
 
 
 def ordered(tops, rtl=RTL):
-    """{stem: path} of modules and of all below them, each after those that it instantiates; none of what is not there."""
+    """{stem: path} of modules and of all below them, each after those that it instantiates."""
     paths, found = sources(rtl), {}
 
     def visit(stem):
