@@ -11,11 +11,13 @@ import sys
 def main():
     halfspace, root = sys.argv[1], pathlib.Path(sys.argv[2])
     faults = []
-    table = subprocess.run([halfspace, "config", "low", "middle", "high", "--markdown"], capture_output=True, text=True, check=True).stdout
+    table = subprocess.run([halfspace, "config", "low", "middle", "high", "--markdown"],
+                           capture_output=True, text=True, check=True).stdout
     text = (root / "docs/configurations.md").read_text()
     found = re.search(r"<!-- widths -->\n(.*?)<!-- /widths -->", text, re.DOTALL)
     if not found or found.group(1) != table or len(table.splitlines()) < 30:
-        faults.append("docs/configurations.md: its widths are not what `halfspace config --markdown` prints: put that between the marks")
+        faults.append("docs/configurations.md: its widths are not what `halfspace config --markdown` prints: "
+                      "put that between the marks")
     if (root / "hls/formats/configs/middle.toml").read_text() not in text:
         faults.append("docs/configurations.md: its example is not hls/formats/configs/middle.toml")
     links = 0

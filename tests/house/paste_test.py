@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What pages give to paste can be pasted as it is: each line of "What you can do with it" in the README, and the calls of
-halfspace in the other pages below. It ends well, writes what it names, and leaves the sources alone.
+"""What pages give to paste can be pasted as it is: each line of "What you can do with it" in the README, and the calls
+of halfspace in the other pages below. It ends well, writes what it names, and leaves the sources alone.
 Usage: paste_test.py HALFSPACE ROOT"""
 import pathlib
 import re
@@ -41,7 +41,8 @@ def faults_of(page, lines, folder):
             # A comparison that finds something says so in its status, and its line tells.
             if done.returncode and "status 1" not in line:
                 yield f"{page}: {line}\n  ends with {done.returncode}: {done.stderr.strip()}"
-            yield from (f"{page}: {line}\n  did not write {name}" for name in written(line) if not (folder / name).exists())
+            missing = [name for name in written(line) if not (folder / name).exists()]
+            yield from (f"{page}: {line}\n  did not write {name}" for name in missing)
             after = strewn(folder)
             yield from (f"{page}: {line}\n  leaves '{name}' in the sources" for name in after if name not in before)
             before = after

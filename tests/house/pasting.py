@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a person pastes from a page, run where it can do no harm: in a copy of the tree, a git repository of its own, with
-the program that is tested at build/cli/halfspace."""
+"""What a person pastes from a page, run where it can do no harm: in a copy of the tree, a git repository of its own,
+with the program that is tested at build/cli/halfspace."""
 import contextlib
 import pathlib
 import shutil
@@ -43,5 +43,6 @@ def paste(line, folder):
 
 def strewn(folder):
     """What lies in the sources that was not there, or is not as it was. build/ may be there."""
-    status = subprocess.run(["git", "-C", folder, "status", "--porcelain", "--ignored"], capture_output=True, text=True, check=True)
+    status = subprocess.run(["git", "-C", folder, "status", "--porcelain", "--ignored"],
+                            capture_output=True, text=True, check=True)
     return [line for line in status.stdout.splitlines() if line != "!! build/"]

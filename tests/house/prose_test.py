@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Pages can be read: lines within 120 columns, links to headings and terms that are there, paths that are there, and each
-special word in the glossary. It shows first, on small pages, that it finds what is wrong. Usage: prose_test.py ROOT"""
+"""Pages can be read: lines within 120 columns, links to headings and terms that are there, paths that are there, and
+each special word in the glossary. It shows first, on small pages, that it finds what is wrong. Usage: prose_test.py ROOT"""
 import pathlib
 import re
 import sys
@@ -12,8 +12,9 @@ COLUMNS = 120
 SPECIAL = {r"\b([A-Z]-buffer)s?\b": None, r"\b(Tdb[A-Z])\b": None, r"\btypes? ([αβγδ])\b": "type-α-β-γ-δ"}
 # What the README has to explain by a link where it says it.
 OF_README = ["I-buffer", "Z-buffer", "TdbS", "stamp", "lane", "index rendering", "deferred", "type γ"]
-REQUIRED = """i-buffer z-buffer s-buffer d-buffer tdbs tdbv type-α-β-γ-δ index-rendering stamp lane deferred kernel co-simulation vector-set
-key-frame reach guard-band top-left-rule f c b r g lsb unit stream record configuration stall seeded-fault room snap plane""".split()
+REQUIRED = """i-buffer z-buffer s-buffer d-buffer tdbs tdbv type-α-β-γ-δ index-rendering stamp lane deferred kernel
+co-simulation vector-set key-frame reach guard-band top-left-rule f c b r g lsb unit stream record configuration stall
+seeded-fault room snap plane""".split()
 FOLDERS = "hls|rtl|ref|model|vectors|study|cli|tb|tests|docs|setup"
 # Pages that speak of files that are to be written.
 OF_NEW_FILES = {"docs/add_a_unit.md"}
@@ -36,7 +37,8 @@ def slug(heading):
 
 def anchors(text):
     bare = re.sub(r"^```.*?^```\n?", "", text, flags=re.DOTALL | re.MULTILINE)
-    return {slug(heading) for heading in re.findall(r"^#+ (.*)$", bare, re.MULTILINE)} | set(re.findall(r'<a id="([^"]+)">', text))
+    headings = {slug(heading) for heading in re.findall(r"^#+ (.*)$", bare, re.MULTILINE)}
+    return headings | set(re.findall(r'<a id="([^"]+)">', text))
 
 
 def line_faults(name, text):
@@ -107,7 +109,8 @@ def self_test():
     with tempfile.TemporaryDirectory() as folder:
         root = pathlib.Path(folder)
         (root / "docs").mkdir()
-        (root / "docs/glossary.md").write_text("".join(f'<a id="{term}"></a>\n' for term in REQUIRED if term != "reach"))
+        terms = [f'<a id="{term}"></a>\n' for term in REQUIRED if term != "reach"]
+        (root / "docs/glossary.md").write_text("".join(terms))
         for name, (text, _) in WRONG.items():
             (root / name).write_text(text)
         found, _ = faults(root)
