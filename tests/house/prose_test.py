@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Pages can be read: lines within 120 columns, links to headings and terms that are there, paths that are there, and
-each special word in the glossary. It shows first, on small pages, that it finds what is wrong. Usage: prose_test.py ROOT"""
+each special word in the glossary. It shows first, on small pages, that it finds what is wrong.
+Usage: prose_test.py ROOT"""
 import pathlib
 import re
 import sys
