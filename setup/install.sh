@@ -1,16 +1,18 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# Installs the Debian packages of setup/packages.txt that are missing, up to a section: install.sh [demo|build|test], test if none is
-# given. Needs no network when none is missing.
+# Installs the Debian packages of setup/packages.txt that are missing, up to a section: install.sh [demo|build|test],
+# test if none is given. Needs no network when none is missing.
 set -eu
 list=$(dirname "$0")/packages.txt
 section=${1:-test}
 grep -qxF "[$section]" "$list" || {
-  echo "setup/install.sh: there is no section '$section': it is $(sed -n 's/^\[\(.*\)\]$/\1/p' "$list" | paste -sd, | sed 's/,/, /g')" >&2
+  sections=$(sed -n 's/^\[\(.*\)\]$/\1/p' "$list" | paste -sd, | sed 's/,/, /g')
+  echo "setup/install.sh: there is no section '$section': it is $sections" >&2
   exit 2
 }
 # Lines up to the first section after it.
-wanted=$(awk -v last="[$section]" '/^\[/ { if (done) exit; if ($0 == last) done = 1; next } { sub(/#.*/, ""); print }' "$list")
+wanted=$(awk -v last="[$section]" \
+  '/^\[/ { if (done) exit; if ($0 == last) done = 1; next } { sub(/#.*/, ""); print }' "$list")
 missing=""
 for package in $wanted; do
   status=$(dpkg-query -W -f '${Status}' "$package" 2>/dev/null || true)

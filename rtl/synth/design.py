@@ -19,7 +19,8 @@ from tools import AreaError, run, say
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 from units import CONFIG, LANES, below, constants, has, parameters  # noqa: E402
 
-UNITS = ("triangle_setup", "light_vertex", "shade_setup", "phong_setup", "raster_pineda", "ztest_index", "ztest_plane", "scan_index",
+UNITS = ("triangle_setup", "light_vertex", "shade_setup", "phong_setup", "raster_pineda", "ztest_index", "ztest_plane",
+         "scan_index",
          "shade_gouraud", "shade_phong", "scan_object", "ztest_merge")
 COMPOSITION = "composition"
 # Memories of the frame, which an FPGA may hold elsewhere: they are counted in bits, not mapped.
@@ -74,7 +75,8 @@ def elaborate_alone(yosys, rtl, package, lanes, units):
 
 
 def unit_alone(yosys, rtl, package, lanes, title, text, unit):
-    """A unit with nothing read but what it stands on: how Yosys names and orders depends on all that it has read before."""
+    """A unit with nothing read but what it stands on: how Yosys names and orders depends on all that it has read
+    before."""
     bodies = flatten(yosys, rtl, package, f"hs_{unit}", lanes, title, text)
     return part(unit, bodies, next(name for name in bodies if re.fullmatch(rf"(.*\\)?hs_{unit}", name)))
 
@@ -84,7 +86,8 @@ def elaborate(yosys, rtl, package, lanes, units):
     package, rtl = pathlib.Path(package), pathlib.Path(rtl).resolve()
     text, config, title = opened(package, lanes)
     say(f"{title}: elaboration")
-    parts = {unit: unit_alone(yosys, rtl, package, lanes, title, text, unit) for unit in units if has(unit, constants(text))}
+    parts = {unit: unit_alone(yosys, rtl, package, lanes, title, text, unit) for unit in units
+             if has(unit, constants(text))}
     # A module of its own for each instance: no queue shares the module of a memory of the frame.
     keep = (f"uniquify; select -set memories {' '.join(f'hs_pipeline.*u_{name}*' for name in BUFFERS)} "
             f"{'%u ' * (len(BUFFERS) - 1)} A:hdlname=*hs_ram_1r1w %i; "
@@ -109,11 +112,13 @@ def flatten(yosys, rtl, package, top, lanes, title, text, keep=""):
     sources = below(top, rtl)
     if not sources:
         raise AreaError(f"there is no {top}.sv in {rtl}: name the folder with --rtl")
-    given = " ".join(f"-chparam {name} {value}" for name, value in parameters(sources[top].read_text(), lanes, constants(text)).items())
+    given = parameters(sources[top].read_text(), lanes, constants(text))
+    chparam = " ".join(f"-chparam {name} {value}" for name, value in given.items())
     with tempfile.TemporaryDirectory(prefix="halfspace-area-") as folder:
         out = pathlib.Path(folder) / "flat.il"
-        script = (f'read_verilog -sv "{package.resolve()}" {" ".join(str(path.relative_to(rtl)) for path in sources.values())}; '
-                  f"hierarchy -check -top {top} {given}; proc; chformal -remove; check -assert; {keep}"
+        files = " ".join(str(path.relative_to(rtl)) for path in sources.values())
+        script = (f'read_verilog -sv "{package.resolve()}" {files}; '
+                  f"hierarchy -check -top {top} {chparam}; proc; chformal -remove; check -assert; {keep}"
                   f'flatten; opt_clean; write_rtlil "{out}"')
         run([yosys, "-q", "-p", script], title, cwd=rtl)
         found = re.findall(r"^module (\S+)\n(.*?)^end$", out.read_text(), re.MULTILINE | re.DOTALL)

@@ -95,5 +95,5 @@ class Runner:
         run([*yosys, "; ".join(script)], job.title)
         results = [netlist.measure(json.loads((folder / f"part{number}.json").read_text())["modules"][TOP])
                    for number in range(self.args.tries)]
-        return min(enumerate(results), 
+        return min(enumerate(results),
                    key=lambda tried: (counts(job.target, tried[1]["cells"])["lut"], tried[1]["depth"]))

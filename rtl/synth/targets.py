@@ -45,7 +45,8 @@ TARGETS = {
          "RAM32X1D": 2, "RAM64X1D": 2, "RAM128X1D": 4, "RAM32M": 4, "RAM64M": 4},
         r"FD\w+", r"DSP48E1", r"CARRY4", {"RAMB18E1": 1, "RAMB36E1": 2}, 18432,
         "LUT1 … LUT6, inverters and shift registers (SRL) one each, a RAM32M or RAM64M four, a RAM32X1D or RAM64X1D "
-        "two; MUXF7 and MUXF8 are not counted; carry is CARRY4, of four bits; DSP is DSP48E1; block RAM in 18-kbit halves"),
+        "two; MUXF7 and MUXF8 are not counted; carry is CARRY4, of four bits; DSP is DSP48E1; block RAM in "
+        "18-kbit halves"),
     "ecp5": Target(
         "ECP5",
         # -nowidelut: with PFUMX and L6MUX21, Yosys 0.23 takes up to five times the LUTs.
@@ -61,7 +62,8 @@ TARGETS = {
         {"SB_LUT4": 1},
         r"SB_DFF\w*", r"SB_MAC16", r"SB_CARRY", {"SB_RAM40_4K": 1}, 4096,
         "SB_LUT4 one each; carry is SB_CARRY, of one bit, which shares the cell of a LUT; without -dsp, as HX devices "
-        "have no multipliers; there is no LUT-RAM, so small queues are flip-flops; block RAM is SB_RAM40_4K, of 4 kbit"),
+        "have no multipliers; there is no LUT-RAM, so small queues are flip-flops; block RAM is "
+        "SB_RAM40_4K, of 4 kbit"),
 }
 
 

@@ -79,7 +79,7 @@ class CommandLine(unittest.TestCase):
         index = struct.unpack("<1200I", (dump / "index.u32").read_bytes())
         self.assertEqual(set(index), {0, 1})
         self.assertEqual(index.count(1), json.loads(numbers.read_text())["covered_pixels"])
-        self.assertEqual(sorted(p.name for p in dump.iterdir()), 
+        self.assertEqual(sorted(p.name for p in dump.iterdir()),
                          ["colour.rgba8", "depth.u32", "index.u32", "triangles.tri"])
 
     def test_a_static_buffer_is_held_against_none(self):

@@ -285,7 +285,8 @@ class Sweep(unittest.TestCase):
         shutil.copytree(pathlib.Path(good("--version").split("files: ")[1].strip()) / "rtl", data / "rtl")
 
         def points():
-            return good("sweep", "cube", *SIZE, "--config", "low", "--area", "xilinx", "--list", "--out", self.root / "w",
+            return good("sweep", "cube", *SIZE, "--config", "low", "--area", "xilinx", "--list", "--out",
+                        self.root / "w",
                         env={**os.environ, "HALFSPACE_DATA": str(data)}).splitlines()
         before = points()
         self.assertEqual(before, points())

@@ -1,17 +1,19 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The arrows go one way: fails on an #include, and on an instance in the RTL, that points against them. A folder of the root is a floor, a
-folder of a floor a room. It shows first, on a small tree, that it finds wrong ones. Usage: arrows_test.py ROOT"""
+"""The arrows go one way: fails on an #include, and on an instance in the RTL, that points against them. A folder of the
+root is a floor, a folder of a floor a room. It shows first, on a small tree, that it finds wrong ones.
+Usage: arrows_test.py ROOT"""
 import pathlib
 import re
 import sys
 import tempfile
 
 # Which floors a floor may include from, besides itself. The bench sees vector files and Verilated models alone.
-FLOORS = {"ref": "", "hls": "", "tb": "", "model": "ref hls", "vectors": "model ref hls", "study": "vectors model ref hls",
+FLOORS = {"ref": "", "hls": "", "tb": "", "model": "ref hls", "vectors": "model ref hls",
+          "study": "vectors model ref hls",
           "cli": "study vectors model ref", "tests": "study vectors model ref hls"}
-# The rooms of a floor, lowest first: a room includes from itself and from rooms before it. Rooms with a + between them are one.
-# `.hpp` and `.cpp`: files in no room. What a floor has no order of is not held.
+# The rooms of a floor, lowest first: a room includes from itself and from rooms before it. Rooms with a + between them
+# are one. `.hpp` and `.cpp`: files in no room. What a floor has no order of is not held.
 ROOMS = {"ref": ".hpp scene+builtin geometry raster objects motion",
          "hls": "numbers formats setup raster ztest shade texture motion objects pipeline top",
          "model": "formats texture shade motion objects pipeline drivers",
@@ -117,9 +119,11 @@ WRONG = {"ref/scene/a.hpp": ('#include "hls/numbers/n.hpp"', "ref/ knows no othe
          "model/formats/f.cpp": ('#include "model/pipeline/gone.hpp"', "there is no such file"),
          "rtl/ztest/hs_g.sv": ("  hs_s u_s (", "rtl/ztest comes before rtl/shade"),
          "rtl/shade/hs_u.sv": ("  hs_v #(", "a unit must not know another")}
-RIGHT = {"hls/units.txt": "shade/u\nztest/v", "hls/numbers/n.hpp": "", "hls/attic/t.hpp": "", "rtl/shade/hs_s.sv": "", "model/formats/m.hpp": "",
-         "hls/shade/s.hpp": '#include "hls/numbers/n.hpp"', "hls/ztest/v.hpp": "", "hls/pipeline/p.hpp": '#include "hls/shade/u.hpp"',
-         "rtl/ztest/hs_v.sv": "", "rtl/pipeline/hs_p.sv": "  hs_u u_u (", "model/formats/r.hpp": '#include "hls/numbers/n.hpp"'}
+RIGHT = {"hls/units.txt": "shade/u\nztest/v", "hls/numbers/n.hpp": "", "hls/attic/t.hpp": "", "rtl/shade/hs_s.sv": "",
+         "model/formats/m.hpp": "", "hls/shade/s.hpp": '#include "hls/numbers/n.hpp"', "hls/ztest/v.hpp": "",
+         "hls/pipeline/p.hpp": '#include "hls/shade/u.hpp"',
+         "rtl/ztest/hs_v.sv": "", "rtl/pipeline/hs_p.sv": "  hs_u u_u (",
+         "model/formats/r.hpp": '#include "hls/numbers/n.hpp"'}
 
 
 def self_test():
@@ -144,7 +148,8 @@ def main():
     found += self_test()
     if includes < 500 or instances < 50:
         found.append(f"only {includes} includes and {instances} instances were found: is {root} the project?")
-    print("\n".join(found) or f"arrows: {includes} includes and {instances} instances point down; {len(WRONG)} wrong ones were found")
+    print("\n".join(found)
+          or f"arrows: {includes} includes and {instances} instances point down; {len(WRONG)} wrong ones were found")
     return 1 if found else 0
 
 

@@ -41,7 +41,8 @@ def bender_holds(target, chosen):
 
 def files_of_bender(*chosen):
     sources = yaml.safe_load((SOURCE / "Bender.yml").read_text())["sources"]
-    return [path for source in sources if bender_holds(source.get("target", "all()"), chosen) for path in source["files"]]
+    return [path for source in sources if bender_holds(source.get("target", "all()"), chosen)
+            for path in source["files"]]
 
 
 def files_of_f(config, top="hs_pipeline"):

@@ -17,7 +17,8 @@ def main():
     files = " ".join(f'"{path}"' for path in [package, *sources.values()])
     chosen = " ".join(f"-chparam {name} {value}" for name, value in given.items())
     finds = "; ".join(f"select {find}" for find in [*finds, "-assert-none t:$div t:$mod"])
-    return subprocess.run([yosys, "-q", "-p", f"read_verilog -sv {files}; hierarchy -check -top {top} {chosen}; proc; opt; check -assert; "
+    return subprocess.run([yosys, "-q", "-p",
+                           f"read_verilog -sv {files}; hierarchy -check -top {top} {chosen}; proc; opt; check -assert; "
                            f"flatten; opt; memory_collect; {finds}"]).returncode
 
 
