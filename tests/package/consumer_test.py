@@ -15,6 +15,10 @@ import unittest
 CMAKE, SOURCE, BUILD = sys.argv[1], pathlib.Path(sys.argv[2]).resolve(), sys.argv[3]
 CONSUMER = pathlib.Path(__file__).resolve().parent / "consumer"
 COMPILERS = [name for name in ("g++", "clang++") if shutil.which(name)]
+# What a macro of the user's asks for (docs/types.md), and the headers that do so.
+CHOSEN = ("systemc", "ap_fixed.h", "ac_fixed.h", "hls_stream.h", "ac_channel.h")
+BACK_ENDS = ("fixed_systemc.hpp", "fixed_ap.hpp", "fixed_ac.hpp")
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)', re.MULTILINE)
 EXPECTED = "2016 green pixels\n"
 
 
@@ -76,6 +80,24 @@ class Consumer(unittest.TestCase):
         self.assertFalse((self.prefix / "bin").exists())
         for standard in (14, 17, 20):
             self.build_by_cmake(COMPILERS[0], standard)
+
+    def test_headers_include_each_other_and_the_standard_library(self):
+        run(CMAKE, "--install", BUILD, "--prefix", self.prefix, "--component", "kernels")
+        root = self.prefix / "include/halfspace"
+        headers = sorted(path.relative_to(root) for path in root.rglob("*.hpp"))
+        self.assertEqual({str(path) for path in headers},
+                         {str(path.relative_to(SOURCE)) for path in SOURCE.glob("hls/**/*.hpp")})
+        for header in headers:
+            for opens, name in INCLUDE.findall((root / header).read_text()):
+                if opens == '"':
+                    self.assertIn(pathlib.Path(name), headers, header)
+                elif name not in CHOSEN:
+                    self.assertRegex(name, "^[a-z_]+$", f"{header}: that is no header of the standard library")
+        together = self.work / "all.cpp"
+        together.write_text("".join(f'#include "{path}"\n' for path in headers if path.name not in BACK_ENDS))
+        for compiler in COMPILERS:
+            run(compiler, "-std=c++14", "-Wall", "-Wextra", "-Werror", "-Wno-unused-label", "-fno-exceptions",
+                "-fsyntax-only", f"-I{root}", together)
 
     def test_part_of_another_project(self):
         """add_subdirectory, as FetchContent does it, takes the kernels alone."""
