@@ -11,11 +11,13 @@ RTL = pathlib.Path(__file__).resolve().parent
 LANES = {1: (1, 1), 2: (2, 1), 4: (2, 2), 8: (4, 2), 16: (4, 4)}
 CONFIG = re.compile(r"^// Number formats of configuration `([\w-]+)`", re.MULTILINE)
 # Configurations that have a unit, by the numbers of their package; the others of hls/units.txt are in every pipeline.
-GAMMA, PHONG, MOTION = (lambda c: c["HasDepth"] and not c["StoresDepth"]), (lambda c: c["Phong"]), (lambda c: c["HasMotion"])
+GAMMA, PHONG, MOTION = ((lambda c: c["HasDepth"] and not c["StoresDepth"]), (lambda c: c["Phong"]),
+                        (lambda c: c["HasMotion"]))
 OBJECTS, TEXTURE = (lambda c: c["HasObjects"]), (lambda c: c["HasTexture"])
 HAVE = {"ztest_index": lambda c: not GAMMA(c), "ztest_plane": GAMMA,
         "visible_select": lambda c: c["Lights"] or TEXTURE(c) or MOTION(c),
-        "shade_setup": lambda c: not PHONG(c) and not MOTION(c), "shade_gouraud": lambda c: not PHONG(c) and not MOTION(c),
+        "shade_setup": lambda c: not PHONG(c) and not MOTION(c),
+        "shade_gouraud": lambda c: not PHONG(c) and not MOTION(c),
         "light_vertex": lambda c: c["Lights"] and not PHONG(c), "phong_setup": PHONG, "shade_phong": PHONG,
         "texture_setup": TEXTURE, "shade_texture": TEXTURE,
         "motion_setup": MOTION, "motion_field": MOTION, "motion_compensate": MOTION,
@@ -72,9 +74,11 @@ def below(top, rtl=RTL):
 
 
 def parameters(module, lanes, numbers):
-    """{name: value} that a module is given: the lanes where it has them; and each parameter without a default has the value of the constant
-    of that name in the package. Vertices is no constant: three have a colour, or the triangle has."""
-    known = {**numbers, "Vertices": 3 if numbers.get("Gouraud") else 1, "LanesX": LANES[lanes][0], "LanesY": LANES[lanes][1]}
+    """{name: value} that a module is given: the lanes where it has them; and each parameter without a default has the
+    value of the constant of that name in the package. Vertices is no constant: three have a colour, or the triangle
+    has."""
+    known = {**numbers, "Vertices": 3 if numbers.get("Gouraud") else 1, "LanesX": LANES[lanes][0],
+             "LanesY": LANES[lanes][1]}
     head = module[:module.index(");")] if ");" in module else module
     given = {}
     for name, default in re.findall(r"^\s*parameter int unsigned (\w+)( =)?", head, re.MULTILINE):

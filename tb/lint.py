@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Verilator's lint with all warnings over every unit of the RTL and the pipeline, in every configuration or with the packages given.
+"""Verilator's lint with all warnings over every unit of the RTL and the pipeline, in every configuration or with the
+packages given.
 
-A unit is a module that hls/units.txt lists; the modules below it are seen through it, and a file that no unit reaches is a fault.
-tb/lint.vlt holds the waivers. Ends with a count: silence would prove nothing.
+A unit is a module that hls/units.txt lists; the modules below it are seen through it, and a file that no unit reaches
+is a fault. tb/lint.vlt holds the waivers. Ends with a count: silence would prove nothing.
 """
 
 import argparse
@@ -23,7 +24,8 @@ def lint(args, package, top, lanes):
     """What Verilator says, or '' if nothing."""
     found = below(top, args.rtl)
     given = parameters(found[top].read_text(), lanes, constants(package.read_text()))
-    command = [args.verilator, "--lint-only", "-Wall", "--top-module", top, *(f"-G{name}={value}" for name, value in given.items()),
+    command = [args.verilator, "--lint-only", "-Wall", "--top-module", top,
+               *(f"-G{name}={value}" for name, value in given.items()),
                TB / "lint.vlt", package, *found.values()]
     result = subprocess.run([str(part) for part in command], capture_output=True, text=True)
     output = result.stdout + result.stderr
@@ -36,20 +38,29 @@ def tops_of(package):
     return [f"hs_{unit}" for unit in units() if has(unit, numbers)] + ["hs_pipeline"]
 
 
+def lanes_of(module, package):
+    """The lanes that a module is looked at with."""
+    takes = parameters(module.read_text(), 1, constants(package.read_text()))
+    return LANES if "LanesX" in takes else LANES[:1]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--verilator", default="verilator", help="the program (default: %(default)s)")
-    parser.add_argument("--package", type=pathlib.Path, action="append", help="of a configuration (default: low, middle, high)")
+    parser.add_argument("--package", type=pathlib.Path, action="append",
+                        help="of a configuration (default: low, middle, high)")
     parser.add_argument("--rtl", type=pathlib.Path, default=RTL)
     args = parser.parse_args()
     packages = args.package or [args.rtl / "formats" / config / "hs_formats_pkg.sv" for config in CONFIGS]
     known = sources(args.rtl)
     seen = set().union(*(below(f"hs_{unit}", args.rtl) for unit in [*units(), "pipeline"]))
     faults = [f"there is no module hs_{unit}" for unit in units() if f"hs_{unit}" not in known]
-    faults += [f"no unit uses {path}: remove it, or add its unit to hls/units.txt" for stem, path in known.items() if stem not in seen]
+    faults += [f"no unit uses {path}: remove it, or add its unit to hls/units.txt"
+               for stem, path in known.items() if stem not in seen]
     todo = [(top, package, lanes) for package in packages for top in tops_of(package) if top in known
-            for lanes in (LANES if "LanesX" in parameters(known[top].read_text(), 1, constants(package.read_text())) else LANES[:1])]
-    faults += [f"{top}, {package}, {lanes} lanes:\n{output}" for top, package, lanes in todo if (output := lint(args, package, top, lanes))]
+            for lanes in lanes_of(known[top], package)]
+    faults += [f"{top}, {package}, {lanes} lanes:\n{output}" for top, package, lanes in todo
+               if (output := lint(args, package, top, lanes))]
     print("".join(f"lint: {fault}\n" for fault in faults), end="")
     print(f"lint: {len(todo)} runs, {len(seen)} files, {len(faults)} faults")
     return 1 if faults or not todo else 0

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Builds the bench of one module, a unit or hs_pipeline, for any package of formats, without CMake: configurations that nobody named, and
-RTL with a fault in it."""
+"""Builds the bench of one module, a unit or hs_pipeline, for any package of formats, without CMake: configurations that
+nobody named, and RTL with a fault in it."""
 
 import argparse
 import pathlib
@@ -11,12 +11,13 @@ from verilate import LANES, RTL, TB, Broken, run, verilate
 
 
 def build(package, lanes, top, out, libraries, rtl=RTL, verilator="verilator", cxx="c++", optimize="-O0", yosys=None):
-    """The bench of `top` in folder `out`. `libraries`: the harness and Verilator's, in this order. With `yosys`: of the netlist that it
-    makes."""
+    """The bench of `top` in folder `out`. `libraries`: the harness and Verilator's, in this order. With `yosys`: of the
+    netlist that it makes."""
     verilate(package, top, lanes, out, rtl, verilator, yosys)
     root = run([verilator, "--getenv", "VERILATOR_ROOT"], verilator).strip()
     # Everything in one go: the headers cost more than the model.
-    run([cxx, "-std=c++17", optimize, "-w", f"-I{out}", f"-I{TB.parent}", f"-I{root}/include", f"-I{root}/include/vltstd",
+    run([cxx, "-std=c++17", optimize, "-w", f"-I{out}", f"-I{TB.parent}", f"-I{root}/include",
+         f"-I{root}/include/vltstd",
          out / "model.cpp", *libraries, "-pthread", "-o", out / "bench"], cxx)
     return out / "bench"
 
@@ -25,8 +26,10 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--package", type=pathlib.Path, required=True, help="what `halfspace package` printed")
     parser.add_argument("--lanes", type=int, default=4, choices=sorted(LANES))
-    parser.add_argument("--top", default="hs_pipeline", help="the module: hs_pipeline (default), or that of a unit, as hs_ztest_index")
-    parser.add_argument("--out", type=pathlib.Path, required=True, help="folder for the model; the program is OUT/bench")
+    parser.add_argument("--top", default="hs_pipeline",
+                        help="the module: hs_pipeline (default), or that of a unit, as hs_ztest_index")
+    parser.add_argument("--out", type=pathlib.Path, required=True,
+                        help="folder for the model; the program is OUT/bench")
     parser.add_argument("--library", type=pathlib.Path, action="append", required=True,
                         help="the harness and Verilator's library, in this order: --library A.a --library B.a")
     parser.add_argument("--verilator", default="verilator")

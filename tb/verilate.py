@@ -62,11 +62,13 @@ def watches(header, of_ports):
 
 
 def netlist_of(read, top, given, out, yosys):
-    """What Yosys understands of the sources, written out as Verilog. The memories of the pipeline have to be memories."""
+    """What Yosys understands of the sources, written out as Verilog. The memories of the pipeline have to be
+    memories."""
     files = " ".join(f'"{path}"' for path in read)
     chosen = " ".join(f"-chparam {name} {value}" for name, value in given.items())
     memories = "select -assert-min 6 */t:$mem_v2; " if top == "hs_pipeline" else ""
-    run([yosys, "-q", "-p", f"read_verilog -sv {files}; hierarchy -check -top {top} {chosen}; proc; opt; memory_collect; check -assert; "
+    run([yosys, "-q", "-p",
+         f"read_verilog -sv {files}; hierarchy -check -top {top} {chosen}; proc; opt; memory_collect; check -assert; "
          f'{memories}chformal -remove; opt_clean; write_verilog -noattr "{out}"'], "yosys")
 
 
@@ -95,8 +97,8 @@ def verilate(package, top, lanes, out, rtl=RTL, verilator="verilator", yosys=Non
     found += [f"HS_CONSTANT({name}, {value})\n" for name, value in numbers.items()]
     (out / "ports.inc").write_text("".join(found))
     lanes_x, lanes_y = LANES[lanes]
-    (out / "title.inc").write_text(f'#define HS_TOP "{top}"\n#define HS_CONFIG "{name.group(1)}"\n#define HS_LANES_X {lanes_x}\n'
-                                   f"#define HS_LANES_Y {lanes_y}\n")
+    (out / "title.inc").write_text(f'#define HS_TOP "{top}"\n#define HS_CONFIG "{name.group(1)}"\n'
+                                   f"#define HS_LANES_X {lanes_x}\n#define HS_LANES_Y {lanes_y}\n")
     files = sorted(path.name for path in out.glob("Vmodel*.cpp"))
     is_slow = [name.endswith("__Slow.cpp") or name == "Vmodel__Syms.cpp" for name in files]
     for target, slow in (("fast.cpp", False), ("slow.cpp", True)):

@@ -2,8 +2,9 @@
 // The frames of hs_pipeline: at most two are in flight, one being drawn and one being scanned out.
 //
 // After reset, two passes of scan_index clear the banks of the I-buffer; triangles wait for that. A
-// frame is scanned out when its last `visible` was taken and all that it is shaded with is stored; it is in
-// flight until its last `pixel` is taken. No triangle of a third frame is let in. Banks take turns.
+// frame is scanned out when its last `visible` was taken and all that it is shaded with is stored;
+// it is in flight until its last `pixel` is taken. No triangle of a third frame is let in. Banks
+// take turns.
 module hs_frame_control (
   input  logic clk_i,
   input  logic rst_ni,

@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tests the tester: puts one fault at a time into a copy of the RTL and demands that the benches say so.
 
-A fault passes when the bench of its unit, and no other, reports it in the words that faults.txt expects and ends with a failure; and
-when every other unit that stands on the faulty file still agrees with the vectors on more than zero words. Units that do not stand on it
-are not built: they are the same as without the fault. A control run of all without a fault has to pass first. Judged by the text that is
-printed: an exit status alone also comes from a model that was not built or a set that is not there.
+A fault passes when the bench of its unit, and no other, reports it in the words that faults.txt expects and ends with a
+failure; and when every other unit that stands on the faulty file still agrees with the vectors on more than zero words.
+Units that do not stand on it are not built: they are the same as without the fault. A control run of all without a
+fault has to pass first. Judged by the text that is printed: an exit status alone also comes from a model that was not
+built or a set that is not there.
 """
 
 import argparse
@@ -24,8 +25,8 @@ from model import LANES, Broken, build, run  # noqa: E402
 from units import below  # noqa: E402
 
 KEYS = ["why", "file", "find", "with", "unit", "says"]
-BENCH = re.compile(r"^(?:bench (\w+)|cosim) \S+ \w+: (\d+) words on \d+ streams compared, (\d+) mismatches, \d+ cycles$",
-                   re.MULTILINE)
+BENCH = re.compile(r"^(?:bench (\w+)|cosim) \S+ \w+: (\d+) words on \d+ streams compared, (\d+) mismatches, "
+                   r"\d+ cycles$", re.MULTILINE)
 FAIL = re.compile(r"^FAIL (\w+): (.*)$", re.MULTILINE)
 
 
@@ -56,15 +57,16 @@ def seed_fault(fault, rtl):
 
 
 def judge(unit, output, status, says):
-    """What is wrong with the report of a unit, or ''. `says`: what it has to report; None: nothing. Of the pipeline no stream but the one that
-    `says` names may report."""
+    """What is wrong with the report of a unit, or ''. `says`: what it has to report; None: nothing. Of the pipeline no
+    stream but the one that `says` names may report."""
     benches = BENCH.findall(output)
     if [name or "pipeline" for name, _, _ in benches] != [unit]:
         return f"{unit} does not end with its report"
     words, mismatches = int(benches[0][1]), int(benches[0][2])
     reports = [text for _, text in FAIL.findall(output)]
     if says is None:
-        return f"{unit} reports what is not its fault: {(reports or ['no words'])[0]}" if words == 0 or mismatches or reports or status else ""
+        wrong = words == 0 or mismatches or reports or status
+        return f"{unit} reports what is not its fault: {(reports or ['no words'])[0]}" if wrong else ""
     if mismatches == 0 or not reports or not status:
         return f"{unit} reports nothing"
     if not (all if unit == "pipeline" else any)(re.search(says, text) for text in reports):
@@ -75,8 +77,10 @@ def judge(unit, output, status, says):
 def try_unit(args, unit, says, work):
     """What is wrong with the bench of the unit in a copy of the RTL, or ''; and what it reports."""
     package = args.package or work / "rtl" / "formats" / args.config / "hs_formats_pkg.sv"
-    bench = build(package, args.lanes, f"hs_{unit}", work / unit, args.library, rtl=work / "rtl", verilator=args.verilator, cxx=args.cxx)
-    result = subprocess.run([bench, args.vectors, "--stall", "30", "--seed", "1"], capture_output=True, text=True, timeout=600)
+    bench = build(package, args.lanes, f"hs_{unit}", work / unit, args.library, rtl=work / "rtl",
+                  verilator=args.verilator, cxx=args.cxx)
+    result = subprocess.run([bench, args.vectors, "--stall", "30", "--seed", "1"], capture_output=True, text=True,
+                            timeout=600)
     output = result.stdout + result.stderr
     (work / f"{unit}.txt").write_text(output)
     return judge(unit, output, result.returncode, says), [text for _, text in FAIL.findall(output)]
@@ -86,7 +90,8 @@ def try_fault(args, fault):
     """Whether it passed, and a line that tells. No fault: the control run."""
     name = fault["name"] if fault else "control"
     guilty = fault["unit"].split() if fault else []
-    touched = [unit for unit in args.units if not fault or fault["file"].removesuffix(".sv") in below(f"hs_{unit}", args.rtl)]
+    touched = [unit for unit in args.units
+               if not fault or fault["file"].removesuffix(".sv") in below(f"hs_{unit}", args.rtl)]
     work = args.work / name
     shutil.rmtree(work, ignore_errors=True)
     shutil.copytree(args.rtl, work / "rtl")
@@ -118,7 +123,8 @@ def main():
     vectors = parser.add_mutually_exclusive_group(required=True)
     vectors.add_argument("--vectors", type=pathlib.Path, help="a vector set of --config and --lanes")
     vectors.add_argument("--halfspace", type=pathlib.Path, help="the program, to make a set with")
-    parser.add_argument("--work", type=pathlib.Path, required=True, help="folder for the copies; what failed stays there")
+    parser.add_argument("--work", type=pathlib.Path, required=True,
+                        help="folder for the copies; what failed stays there")
     parser.add_argument("--library", type=pathlib.Path, action="append", required=True,
                         help="the harness and Verilator's library, in this order: --library A.a --library B.a")
     parser.add_argument("--rtl", type=pathlib.Path, default=TB.parent / "rtl")
