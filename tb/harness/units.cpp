@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cstring>
-#include <set>
+
+#include "tb/harness/plan.hpp"
 
 namespace halfspace::tb {
 namespace {
@@ -13,101 +14,6 @@ constexpr int kPause = 64;  // cycles after a frame in which a surplus word show
 constexpr std::uint64_t kClearPatience = 4'000'000;
 constexpr const char* kSecondScan = " (second scan: the first one has to leave the I-buffer cleared)";
 constexpr const char* kScanAfterClear = " (scan after a token with start_clear_i)";
-
-// The memories of the units. TdbV and TdbS: a word a triangle.
-const MemoryPorts kIndexBuffer{"read_index_i", "read_en_o",    "read_bank_o",     "read_address_o",
-                               "write_en_o",   "write_bank_o", "write_address_o", "write_index_o"};
-const MemoryPorts kScannedIndexBuffer{"read_index_i", "read_en_o", nullptr,     "address_o",
-                                      "write_en_o",   nullptr,     "address_o", nullptr};
-const MemoryPorts kDepthBuffer{"read_depth_i", "read_en_o", nullptr,           "read_address_o",
-                               "write_en_o",   nullptr,     "write_address_o", "write_depth_o"};
-const MemoryPorts kVisibilityDatabase{"fetch_plane_i", "fetch_en_o", nullptr,         "fetch_entry_o",
-                                      "store_en_o",    nullptr,      "store_entry_o", "store_plane_o"};
-const MemoryPorts kShadingDatabase{"read_planes_i", "read_en_o", "read_bank_o", "read_entry_o",
-                                   nullptr,         nullptr,     nullptr,       nullptr};
-// Whose words are in a memory that the unit only reads, or that it finds full: no port tells.
-struct Filled {
-  const char *unit, *stream;
-};
-const Filled kFilled[] = {{"scan_index", "update"},
-                          {"shade_gouraud", "planes"},
-                          {"shade_phong", "planes"},
-                          {"shade_texture", "texture_planes"},
-                          {"motion_field", "motion_planes"}};
-
-std::string unit_of(const Model& model) { return model.top().substr(std::strlen("hs_")); }
-
-const Stream& need_stream(const Vectors& vectors, const std::string& name) {
-  if (const Stream* const stream = vectors.find(name)) return *stream;
-  throw Error(vectors.directory + "/manifest.json: has no stream " + name +
-              ", which the bench needs; make the set again");
-}
-
-// Where a stage stands between two units, its stream goes into the port that the other one's goes into where there is
-// none: `attributes` behind visible_select, `pixel` before shade_texture.
-std::string port_of(const Model& model, const Vectors& vectors, const std::string& stream, const char* between,
-                    const char* without) {
-  if (!vectors.find(between) || model.find(std::string(between) + "_valid_o")) return stream;
-  return stream == between ? without : stream == without ? "" : stream;
-}
-
-// Streams that leave or enter the unit, but that its configuration does not have; and what is no stream of data.
-bool is_idle(const Model& model, const std::string& stream) {
-  if (stream == "triangle_depth") return !model.constant("HasDepth") || model.constant("StoresDepth");
-  if (stream == "colours") return !model.constant("Lights");
-  return stream == "start";
-}
-
-// What is done with the ports of a unit: all that its bench has to know of it.
-struct Plan {
-  struct End {
-    const Stream* stream;
-    std::string port;
-  };
-  std::vector<End> takes, sends;
-  std::vector<End> loads;      // what it takes in any cycle, so that nothing else may be in flight: before a frame
-  std::vector<End> registers;  // a word before a frame, which stays
-  const Stream* fills = nullptr;
-
-  std::vector<const Stream*> streams() const {
-    std::vector<const Stream*> all;
-    for (const auto* const list : {&takes, &sends, &loads, &registers}) {
-      for (const End& end : *list) all.push_back(end.stream);
-    }
-    if (fills) all.push_back(fills);
-    return all;
-  }
-};
-
-Plan plan_of(const Model& model, const Vectors& vectors) {
-  Plan plan;
-  std::set<std::string> used;
-  for (const Stream& stream : vectors.streams) {
-    const std::string in = port_of(model, vectors, stream.name, "visible_attributes", "attributes");
-    if (model.find(in + "_valid_i")) {
-      (model.find(in + "_ready_o") ? plan.takes : plan.loads).push_back({&stream, in});
-      used.insert(in + "_valid_i");
-    } else if (model.find(in + "_i")) {
-      plan.registers.push_back({&stream, in});
-    }
-    const std::string out =
-        model.find("lit_valid_i") ? stream.name : port_of(model, vectors, stream.name, "lit", "pixel");
-    if (model.find(out + "_valid_o")) {
-      plan.sends.push_back({&stream, out});
-      used.insert(out + "_valid_o");
-    }
-  }
-  for (const Filled& filled : kFilled) {
-    if (filled.unit == unit_of(model)) plan.fills = &need_stream(vectors, filled.stream);
-  }
-  for (const auto& [name, port] : model.ports()) {
-    const std::size_t end = name.rfind("_valid_");
-    if (end == std::string::npos || used.count(name) || is_idle(model, name.substr(0, end))) continue;
-    need_stream(vectors, name.substr(0, end));
-    throw Error(model.title() + ": nobody knows what to do with port " + name + "; tell tb/harness/units.cpp");
-  }
-  return plan;
-}
 
 Segment segment_of(const Stream& stream, std::size_t frame, const std::string& note = "") {
   std::size_t begin = 0;
@@ -127,7 +33,6 @@ class UnitBench {
     for (const Plan::End& end : plan_.takes) senders_.push_back(&bench_.add_sender(*end.stream, end.port));
     for (const Plan::End& end : plan_.sends) receivers_.push_back(&bench_.add_receiver(*end.stream, end.port));
     const auto add = [&](const MemoryPorts& ports) {
-      has_memory_ = has_memory_ || Memory::fits(*model, ports);
       return Memory::fits(*model, ports) ? &bench_.add_memory(ports) : nullptr;
     };
     index_buffer_ = add(kIndexBuffer);
@@ -160,12 +65,9 @@ class UnitBench {
   }
 
  private:
-  // Where nothing is told or stored a frame, words of the next one come at once.
-  bool follows() {
-    const Model& model = bench_.model();
-    return !has_memory_ && plan_.loads.empty() && plan_.registers.empty() && !model.find("frame_width_i") &&
-           !model.find("background_i");
-  }
+  // What ztest_merge is to do is a word of a stream, so its runs follow each other at once. Others see the end of each
+  // frame: a unit that then waits for a word of the next one hangs.
+  bool follows() { return bench_.model().find("merge_valid_i") != nullptr; }
 
   bool run_frame(std::size_t frame) {
     bench_.set_frame(vectors_.frames[frame]);
@@ -286,7 +188,6 @@ class UnitBench {
   Bench bench_;
   std::vector<Sender*> loaders_, senders_;
   std::vector<Receiver*> receivers_;
-  bool has_memory_ = false;
   Memory *index_buffer_ = nullptr, *scanned_ = nullptr, *shading_ = nullptr;
   int shading_bank_ = 0;
   std::uint64_t cycles_ = 0;

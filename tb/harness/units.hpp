@@ -15,8 +15,7 @@ namespace halfspace::tb {
 std::vector<std::string> unit_streams(const Model& model, const Vectors& vectors);
 
 // Frame by frame: registers, what the unit finds in its memories, then its words; a frame ends when all its words were
-// taken and seen, and a pause catches words that are too many. Frames of a unit without such registers or memories
-// follow each other at once.
+// taken and seen, and a pause catches words that are too many. Runs of ztest_merge follow each other at once.
 Result run_unit(Model* model, const Vectors& vectors, const Options& options);
 
 }  // namespace halfspace::tb
