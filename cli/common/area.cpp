@@ -24,6 +24,7 @@ namespace fs = std::filesystem;
 // Runs a program, its output to the file; returns its exit status.
 int run_program(const std::vector<std::string>& words, const std::string& output) {
   std::vector<char*> argv;
+  argv.reserve(words.size() + 1);
   for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
   argv.push_back(nullptr);
   std::FILE* const file = std::fopen(output.c_str(), "w");
@@ -50,7 +51,7 @@ std::string joined(const std::vector<std::string>& words) {
 }  // namespace
 
 std::vector<std::string> area_targets(const std::string& text) {
-  const std::vector<std::string> known = {"xilinx", "ecp5", "ice40"};
+  std::vector<std::string> known = {"xilinx", "ecp5", "ice40"};
   if (text == "none") return {};
   if (text == "all") return known;
   std::vector<std::string> targets;

@@ -31,10 +31,10 @@ void MeshBuilder::polygon(const std::vector<glm::dvec3>& corners) {
   for (std::uint32_t i = 2; i < corners.size(); ++i) triangle(first, first + i - 1, first + i);
 }
 
-void MeshBuilder::block(const glm::dvec3& low, const glm::dvec3& x, const glm::dvec3& y, const glm::dvec3& z) {
-  const auto corner = [&](int i) { return low + double(i & 1) * x + double(i >> 1 & 1) * y + double(i >> 2) * z; };
+void MeshBuilder::block(const glm::dvec3& corner, const glm::dvec3& x, const glm::dvec3& y, const glm::dvec3& z) {
+  const auto at = [&](int i) { return corner + double(i & 1) * x + double(i >> 1 & 1) * y + double(i >> 2) * z; };
   constexpr int kFaces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
-  for (const auto& face : kFaces) polygon({corner(face[0]), corner(face[1]), corner(face[2]), corner(face[3])});
+  for (const auto& face : kFaces) polygon({at(face[0]), at(face[1]), at(face[2]), at(face[3])});
 }
 
 void MeshBuilder::box(const glm::dvec3& low, const glm::dvec3& high) {
@@ -61,6 +61,7 @@ void MeshBuilder::lathe(const glm::dvec3& foot, const std::vector<glm::dvec2>& p
 
 void MeshBuilder::disc(const glm::dvec3& centre, double radius, int sides, bool up) {
   std::vector<glm::dvec3> corners;
+  corners.reserve(std::size_t(sides));
   for (int i = 0; i < sides; ++i) corners.push_back(centre + radius * around(up ? sides - i : i, sides));
   polygon(corners);
 }

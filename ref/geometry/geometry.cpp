@@ -29,16 +29,16 @@ Geometry::Geometry(const Scene& scene, const View& view)
   }
 }
 
-void Geometry::draw(std::uint32_t number) {
-  const Instance& instance = scene_.instances[number];
-  const Mesh& mesh = scene_.meshes[instance.mesh];
+void Geometry::draw(std::uint32_t instance) {
+  const Instance& placed = scene_.instances[instance];
+  const Mesh& mesh = scene_.meshes[placed.mesh];
   const bool two_sided = scene_.materials[mesh.material].two_sided;
-  const bool mirrored = glm::determinant(glm::dmat3(instance.to_world)) < 0;
-  placements_.push_back({normal_matrix(instance.to_world), {}, {}});
+  const bool mirrored = glm::determinant(glm::dmat3(placed.to_world)) < 0;
+  placements_.push_back({normal_matrix(placed.to_world), {}, {}});
 
   std::vector<glm::dvec4> positions;  // clip space; a vertex is transformed once, however many triangles share it
   for (const glm::dvec3& position : mesh.positions)
-    positions.push_back(clip_position(viewpoint_, view_, instance.to_world, position));
+    positions.push_back(clip_position(viewpoint_, view_, placed.to_world, position));
   for (std::array<std::uint32_t, 3> corner : mesh.triangles) {
     ++face_;
     if (mirrored) std::swap(corner[1], corner[2]);
@@ -50,7 +50,7 @@ void Geometry::draw(std::uint32_t number) {
     face_parts(clip(std::move(polygon), guard_planes_), two_sided, view_, [&](const FacePart& part) {
       list_.triangles.push_back(part.triangle);
       list_.face.push_back(face_);
-      origins_.push_back({number,
+      origins_.push_back({instance,
                           corner,
                           two_sided && !faces,
                           {part.from[0]->weights, part.from[1]->weights, part.from[2]->weights},

@@ -41,7 +41,7 @@ class TriReader {
     constexpr const char* kBlank = " \t\r\v\f";
     fields_.clear();
     const std::string_view text = std::string_view(line).substr(0, line.find('#'));
-    for (std::size_t begin = text.find_first_not_of(kBlank); begin != text.npos;) {
+    for (std::size_t begin = text.find_first_not_of(kBlank); begin != std::string_view::npos;) {
       const std::size_t end = std::min(text.find_first_of(kBlank, begin), text.size());
       fields_.push_back(text.substr(begin, end - begin));
       begin = text.find_first_not_of(kBlank, end);

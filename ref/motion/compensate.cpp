@@ -114,7 +114,8 @@ Compensated compensate(const OfKeys<KeyFrame>& keys, const MotionField& field, c
       ++out.shares.background;
       continue;
     }
-    const glm::dvec2 centre(at % field.width + 0.5, at / field.width + 0.5);
+    const std::size_t x = at % std::size_t(field.width), y = at / std::size_t(field.width);
+    const glm::dvec2 centre(double(x) + 0.5, double(y) + 0.5);
     OfKeys<glm::dvec3> colour;
     for (int key = 0; key < kKeys; ++key) {
       const auto& vector = field.to_key[key][at];

@@ -43,7 +43,7 @@ class ObjectRaster {
 
   // each(triangle, number), without colours, in order.
   template <class Each>
-  void triangles(std::uint32_t instance, Each&& each);
+  void triangles(std::uint32_t number, Each&& each);
   // visit(x, y, depth, number) for the fragments inside `region`.
   template <class Visit>
   Drawn fragments(std::uint32_t instance, const Box& region, Visit&& visit);

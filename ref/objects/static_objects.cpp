@@ -74,20 +74,20 @@ void StaticObjects::find_states() {
 }
 
 // Takes an object that starts to move out of its S-buffer. Pixels that have to be drawn again are put into `holes`.
-void StaticObjects::leave(std::uint32_t n, std::vector<Box>& holes) {
-  states_.leave(n);
-  const Box& covered = states_.box(n);
-  ObjectBuffer& buffer = static_[buffer_of(n)];
+void StaticObjects::leave(std::uint32_t instance, std::vector<Box>& holes) {
+  states_.leave(instance);
+  const Box& covered = states_.box(instance);
+  ObjectBuffer& buffer = static_[buffer_of(instance)];
   if (options_.query) {
     ++work_.queries;
     work_.searched += covered.pixels();
-    if (options_.query(buffer, n + 1, covered) == 0) {
+    if (options_.query(buffer, instance + 1, covered) == 0) {
       ++work_.skipped;
       return;
     }
   }
   work_.searched += covered.pixels();
-  const Box erased = buffer.erase(n + 1, covered);
+  const Box erased = buffer.erase(instance + 1, covered);
   const Box hole = options_.query ? erased : covered;
   if (!hole.empty()) holes.push_back(hole);
 }

@@ -25,7 +25,7 @@ struct Rest {
   explicit Rest(std::istream& file) {
     for (std::string line; std::getline(file, line);) {
       bytes += double(line.size()) + 1;
-      lines += line.find_first_not_of(" \t\r") != line.npos;
+      lines += line.find_first_not_of(" \t\r") != std::string::npos;
     }
   }
 };
