@@ -22,7 +22,8 @@ def main():
         faults.append("docs/configurations.md: its example is not hls/formats/configs/middle.toml")
     links = 0
     for document in [root / "README.md", root / "CONTRIBUTING.md", *sorted((root / "docs").glob("*.md"))]:
-        for target in re.findall(r"\]\(([^)#]+)\)", document.read_text()):
+        prose = re.sub(r"^```.*?^```|`[^`\n]*`", "", document.read_text(), flags=re.DOTALL | re.MULTILINE)
+        for target in re.findall(r"\]\(([^)#]+)(?:#[^)]*)?\)", prose):
             if "://" in target:
                 continue
             links += 1
