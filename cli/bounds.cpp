@@ -21,7 +21,7 @@ using model::BoundRow;
 using model::BoundsReport;
 using model::Configuration;
 
-struct Options {
+struct BoundsOptions {
   std::string config = "middle", gappa, json;
   model::MeasureOptions measure;
   bool markdown = false, verbose = false;
@@ -84,7 +84,7 @@ std::vector<std::string> cells(const BoundRow& row) {
           place(row.where)};
 }
 
-void print_report(const Configuration& configuration, const BoundsReport& report, const Options& options) {
+void print_report(const Configuration& configuration, const BoundsReport& report, const BoundsOptions& options) {
   std::vector<std::vector<std::string>> rows = {
       {"kernel", "quantity", "unit", "proved", "seen", "share", "proof", "where"}};
   for (const BoundRow& row : report.rows) {
@@ -128,7 +128,7 @@ Json row_json(const Configuration& configuration, const BoundRow& row) {
   return json;
 }
 
-int bounds(const Options& options) {
+int bounds(const BoundsOptions& options) {
   const Configuration configuration = model::find_configuration(options.config);
   if (!options.gappa.empty()) {
     model::StagedFolder folder(options.gappa);
@@ -164,7 +164,7 @@ int bounds(const Options& options) {
 }  // namespace
 
 void add_bounds(CLI::App& app, int& status) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<BoundsOptions>();
   CLI::App* command = app.add_subcommand("bounds", "proved and seen errors of every kernel of a configuration");
   command->footer(
       "Errors are against exact arithmetic on the snapped triangle. `proof` names the script that proves the bound; "

@@ -42,6 +42,8 @@ Json all_rates(const ref::Rates& rates);
 // Accesses and bytes of the buffers that there are; with those of whole words, if they are given.
 Json to_json(const ref::BufferUses& needed, const model::BufferBits& bits, const ref::BufferUses* words = nullptr);
 Json to_json(const model::MemoryBits& bits);
+// A scene in a title: no folder, no ending.
+std::string short_name(const std::string& scene);
 // "∞" for an infinite ratio.
 std::string decibels(double psnr);
 

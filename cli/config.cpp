@@ -67,13 +67,13 @@ void print_table(const std::vector<Configuration>& configurations, bool markdown
   }
 }
 
-struct Options {
+struct ConfigOptions {
   std::vector<std::string> configurations = {"low", "middle", "high"};
   std::string header, toml, json;
   bool markdown = false;
 };
 
-void config(const Options& options) {
+void config(const ConfigOptions& options) {
   std::vector<Configuration> configurations;
   for (const std::string& name : options.configurations) configurations.push_back(model::find_configuration(name));
   if ((!options.header.empty() || !options.toml.empty()) && configurations.size() != 1) {
@@ -90,7 +90,7 @@ void config(const Options& options) {
 }  // namespace
 
 void add_config(CLI::App& app, int&) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ConfigOptions>();
   CLI::App* command = app.add_subcommand("config", "show configurations and the widths that follow from them");
   command->footer(
       "A configuration is a .toml file: `halfspace config middle --toml mine.toml` writes one to begin with. Every "

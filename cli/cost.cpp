@@ -18,7 +18,7 @@
 namespace halfspace::cli {
 namespace {
 
-struct Options {
+struct CostOptions {
   std::string scene, config = "middle", size = "320x240", json;
   int first = 0, lanes = 4, lights = 4;
 };
@@ -128,7 +128,8 @@ Cost made(const char* name, const FrontEnd& front, double picture_pixels, const 
 // last the drawing of that buffer, which writes them. Each merge takes a stamp a cycle.
 std::vector<Cost> with_static_buffer(const model::KernelUpConversion& mode, const ref::Scene& first,
                                      const ref::Scene& between, const ref::Scene& second,
-                                     const std::vector<bool>& still, double picture_pixels, const Options& options) {
+                                     const std::vector<bool>& still, double picture_pixels,
+                                     const CostOptions& options) {
   const Config colour = mode.colour.config();
   const int samples = mode.motion.config().samples;
   const ref::View view{mode.width * samples, mode.height * samples, colour.range_bits, colour.subpixel_bits};
@@ -159,7 +160,7 @@ std::vector<Cost> with_static_buffer(const model::KernelUpConversion& mode, cons
   return costs;
 }
 
-void cost(const Options& options) {
+void cost(const CostOptions& options) {
   const FrameSize size = parse_size(options.size);
   const double aspect = double(size.width) / size.height;
   const auto scene_at = [&](int n) {
@@ -246,7 +247,7 @@ void cost(const Options& options) {
 }  // namespace
 
 void add_cost(CLI::App& app, int&) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CostOptions>();
   CLI::App* command =
       app.add_subcommand("cost", "what a frame between key frames costs against rendering it, by shading");
   command

@@ -21,12 +21,11 @@
 namespace halfspace::cli {
 namespace {
 
-using cli::to_json;  // beside the one of requirements
 using model::Configuration;
 using model::Fit;
 using model::FitScene;
 
-struct Options {
+struct FitOptions {
   FrameInput input;
   model::FitGoal goal;
   int lanes = 0;
@@ -40,7 +39,7 @@ std::string name_of(const std::string& scene) {
   return name;
 }
 
-Json to_json(const model::Requirements& r) {
+Json json_of(const model::Requirements& r) {
   return {{"x", {r.x_low, r.x_high}},
           {"y", {r.y_low, r.y_high}},
           {"triangles", r.triangles},
@@ -83,7 +82,7 @@ std::vector<std::string> left_out(const Config& c, const model::Requirements& r)
   return lines;
 }
 
-Json to_json(const model::FitObjects& o) {
+Json json_of(const model::FitObjects& o) {
   if (o.why.empty()) return nullptr;
   return {{"objects", o.objects},
           {"moving", o.moving},
@@ -93,7 +92,7 @@ Json to_json(const model::FitObjects& o) {
           {"why", o.why}};
 }
 
-Json to_json(const model::FitArchitecture& a) {
+Json json_of(const model::FitArchitecture& a) {
   if (a.why.empty()) return nullptr;
   return {{"z_buffer_bits", a.z_buffer_bits},
           {"tdbv_bits", a.tdbv_bits},
@@ -149,7 +148,7 @@ Json compare_area(const Fit& fit, const Configuration& high, const std::vector<s
 }
 
 // Renders the frames anew and runs the RTL on them. Throws when either fails.
-Json prove(const Options& options, const FitScene& scene, const Fit& fit, const std::string& work) {
+Json prove(const FitOptions& options, const FitScene& scene, const Fit& fit, const std::string& work) {
   const int lanes = fit.configuration.config().lanes;
   const auto again = model::check_fit(scene, fit.configuration, options.goal, lanes == 1 ? 4 : 1);
   fmt::print("rendered again with {} lanes: {:.2f} dB, a colour off by {:.2f} LSB at most, {} pixels of another face\n",
@@ -175,7 +174,7 @@ Json prove(const Options& options, const FitScene& scene, const Fit& fit, const 
   return json;
 }
 
-void fit(const Options& options) {
+void fit(const FitOptions& options) {
   const std::vector<std::string> targets = area_targets(options.area);
   const FitScene scene = load_frames(options.input);
   const model::Requirements needed = model::requirements(scene);
@@ -213,12 +212,12 @@ void fit(const Options& options) {
        {"width", scene.width},
        {"height", scene.height},
        {"goal", {{"psnr_db", options.goal.psnr}, {"max_lsb", options.goal.max_lsb}, {"cycles", options.goal.cycles}}},
-       {"requires", to_json(needed)},
+       {"requires", json_of(needed)},
        {"tried", found.tried},
        {"configuration", to_json(found.configuration.config())},
        {"left_out", gone},
-       {"architecture", to_json(found.architecture)},
-       {"static_objects", to_json(found.objects)},
+       {"architecture", json_of(found.architecture)},
+       {"static_objects", json_of(found.objects)},
        {"one_bit_less", less},
        {"memory_bits", to_json(model::memory_bits(found.configuration.config()))},
        {"memory_bits_of_high", to_json(model::memory_bits(high.config()))},
@@ -229,7 +228,7 @@ void fit(const Options& options) {
 }  // namespace
 
 void add_fit(CLI::App& app, int&) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<FitOptions>();
   CLI::App* command =
       app.add_subcommand("fit", "find the cheapest configuration that draws a scene as accurately as asked");
   command->footer(

@@ -9,13 +9,13 @@
 namespace halfspace::cli {
 namespace {
 
-struct Options {
+struct FramesOptions {
   SequenceOptions sequence;
   std::string output, difference, json;
   int gain = 4;
 };
 
-void frames(const Options& options) {
+void frames(const FramesOptions& options) {
   const FrameSize size = parse_size(options.sequence.size);
   FrameWriter writer(options.output, size.width, size.height, kFramesASecond);
   std::unique_ptr<FrameWriter> differences;
@@ -65,7 +65,7 @@ void frames(const Options& options) {
 }  // namespace
 
 void add_frames(CLI::App& app, int&) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<FramesOptions>();
   CLI::App* command =
       app.add_subcommand("frames", "an animation of which key frames are drawn and the rest is made from their motion");
   add_sequence_options(command, options->sequence);

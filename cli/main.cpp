@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 
 #include "cli/commands.hpp"
 #include "cli/common/files.hpp"
@@ -15,6 +16,8 @@ namespace halfspace::cli {
 void write_json(const std::string& path, const Json& json) {
   if (!path.empty()) model::write_file(path, json.dump(1) + "\n");
 }
+
+std::string short_name(const std::string& scene) { return std::filesystem::path(scene).stem().string(); }
 
 std::string decibels(double psnr) { return std::isinf(psnr) ? "∞" : fmt::format("{:.2f}", psnr); }
 

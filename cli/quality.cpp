@@ -12,7 +12,7 @@
 namespace halfspace::cli {
 namespace {
 
-struct Options {
+struct QualityOptions {
   SequenceOptions sequence;
   std::string plot, json, vary;
 };
@@ -35,7 +35,7 @@ void print_work(const SequenceQuality& with, const SequenceQuality& without) {
   }
 }
 
-void quality(const Options& options) {
+void quality(const QualityOptions& options) {
   const SequenceQuality q = measure_sequence(options.sequence, true);
   std::optional<SequenceQuality> without;
   if (options.sequence.static_buffer) {
@@ -95,7 +95,7 @@ std::vector<std::string> values_of(const std::string& text) {
 }
 
 // What a number of the motion costs against the floating-point reference.
-void vary(const Options& options) {
+void vary(const QualityOptions& options) {
   SequenceOptions sequence = options.sequence;
   sequence.engine = "ref";
   const double reference = measure_sequence(sequence, false).compensated.psnr_y;
@@ -136,7 +136,7 @@ void vary(const Options& options) {
 }  // namespace
 
 void add_quality(CLI::App& app, int&) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<QualityOptions>();
   CLI::App* command = app.add_subcommand("quality", "how near frames between key frames are to these as rendered");
   add_sequence_options(command, options->sequence);
   command->add_option("--plot", options->plot,

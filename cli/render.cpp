@@ -24,9 +24,7 @@
 namespace halfspace::cli {
 namespace {
 
-using cli::to_json;  // beside the one of cycles
-
-struct Options {
+struct RenderOptions {
   SceneInput input;
   std::string engine = "hls";
   int lanes = 0;
@@ -52,7 +50,7 @@ struct Counts {
   Json rates, buffers;
 };
 
-Json to_json(const model::Cycles& c) {
+Json json_of(const model::Cycles& c) {
   return {{"frame", c.frame},
           {"triangle_setup", c.triangle_setup},
           {"shade_setup", c.shade_setup},
@@ -80,7 +78,7 @@ model::BufferBits bits_of(ref::Architecture architecture, Config config) {
 }
 
 // The reference by one of the four architectures.
-ref::Frame draw_by(const Options& options, const LoadedScene& loaded, Counts& counts) {
+ref::Frame draw_by(const RenderOptions& options, const LoadedScene& loaded, Counts& counts) {
   const ref::SnappedList& list = loaded.list;
   const Config config = loaded.configuration.config();
   const ref::Architecture architecture =
@@ -132,7 +130,7 @@ ref::Frame render_with(const std::string& engine, const LoadedScene& loaded, int
   return rounded(ref::ideal(loaded.project(ref::ideal_view(scene.width, scene.height))), scene.format.depth_bits);
 }
 
-void render(const Options& options) {
+void render(const RenderOptions& options) {
   LoadedScene loaded = load_snapped(options.input);
   const ref::SnappedList& scene = loaded.list;
   const int lanes = options.lanes ? options.lanes : 16;
@@ -170,7 +168,7 @@ void render(const Options& options) {
     counts.buffers = to_json(accesses.needed, model::entry_bits(config), &accesses.words);
     memories = to_json(model::memory_bits(config, engine->lanes_x(), engine->lanes_y()));
     // The model knows no pipeline that waits for normals.
-    if (!is_deferred(config)) cycles = to_json(model::model_cycles(config, *engine, scene, engine->render(scene)));
+    if (!is_deferred(config)) cycles = json_of(model::model_cycles(config, *engine, scene, engine->render(scene)));
   }
   const ref::Frame frame =
       chosen && options.engine == "ref" ? draw_by(options, loaded, counts) : render_with(options.engine, loaded, lanes);
@@ -205,7 +203,7 @@ void render(const Options& options) {
 }  // namespace
 
 void add_render(CLI::App& app, int&) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RenderOptions>();
   CLI::App* command = app.add_subcommand("render", "render a scene with the reference or the kernels");
   add_scene_options(command, options->input);
   command

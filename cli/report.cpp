@@ -18,7 +18,7 @@
 namespace halfspace::cli {
 namespace {
 
-struct Options {
+struct ReportOptions {
   SceneInput input;
   std::string out, cosim, rtl_frame, json;
   std::vector<std::string> units;
@@ -147,7 +147,7 @@ Json print_table(const Json& cosim, const Json& units, const model::Accuracy& a,
   return rows;
 }
 
-int report(const Options& options) {
+int report(const ReportOptions& options) {
   const Json cosim = read_json(options.cosim), units = read_all(options.units);
   const LoadedScene loaded = load_snapped(options.input);
   if (loaded.between) {
@@ -196,7 +196,7 @@ int report(const Options& options) {
 }  // namespace
 
 void add_report(CLI::App& app, int& status) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ReportOptions>();
   CLI::App* command =
       app.add_subcommand("report", "pictures and the table of the stages, with the co-simulation's counts");
   add_scene_options(command, options->input);

@@ -23,7 +23,7 @@ using model::WidePixel;
 using ref::Architecture;
 using ref::ShadingMode;
 
-struct Options {
+struct ReproOptions {
   std::vector<std::string> scenes;
   std::string out, json;
 };
@@ -32,7 +32,6 @@ struct Options {
 const std::vector<std::string> kScenes = {"polyhedron", "teapot", "castle"};
 
 std::string size_name(int width, int height) { return fmt::format("{}x{}", width, height); }
-std::string short_name(const std::string& scene) { return std::filesystem::path(scene).stem().string(); }
 double percent(double part, double whole) { return whole == 0 ? 100 : 100 * part / whole; }
 
 Json bytes_json(const model::BufferBytes& b) {
@@ -55,7 +54,7 @@ struct Measured {
   model::FourRates rates;
 };
 
-std::vector<Measured> measure_all(const Options& options) {
+std::vector<Measured> measure_all(const ReproOptions& options) {
   std::vector<Measured> all;
   Progress progress("repro A: pictures");
   std::size_t total = 0;
@@ -188,7 +187,7 @@ Json print_bandwidths(const std::vector<Measured>& all) {
   return rows;
 }
 
-void repro_a(const Options& options) {
+void repro_a(const ReproOptions& options) {
   const std::vector<Measured> all = measure_all(options);
   Json json = {{"paper", "index rendering"}};
   json["lightings"] = print_lightings(all);
@@ -219,7 +218,7 @@ Json model_json(const model::TriangleCounts& n) {
           {"dual", model::cost_dual(n)}};
 }
 
-void repro_b(const Options& options) {
+void repro_b(const ReproOptions& options) {
   fmt::print(
       "Instructions of the geometry stage by the paper's cost model; a: all triangles, b: face the viewer in the "
       "frame, c: visible\n\n"
@@ -273,8 +272,8 @@ void add_repro(CLI::App& app, int&) {
       "animations\n"
       "  halfspace repro E                     static objects buffer: 180 M triangles, of which few objects move\n"
       "docs/repro.md says what the numbers are.\n");
-  const auto add = [&](const char* name, const char* what, void (*run)(const Options&)) {
-    auto options = std::make_shared<Options>();
+  const auto add = [&](const char* name, const char* what, void (*run)(const ReproOptions&)) {
+    auto options = std::make_shared<ReproOptions>();
     CLI::App* paper = command->add_subcommand(name, what);
     paper->add_option("SCENE", options->scenes, "built-in scenes or mesh files; default: polyhedron teapot castle");
     paper->add_option("--out", options->out, "folder for the plots");

@@ -22,7 +22,7 @@ using model::PlaneMethod;
 using model::StabilityPoint;
 using model::StabilityStudy;
 
-struct Options {
+struct StabilityOptions {
   std::string config = "high", out, json;
   model::StabilityOptions study;
 };
@@ -137,7 +137,7 @@ std::string plot_script(const std::string& picture, const std::string& title, co
   return script + "unset multiplot\n";
 }
 
-void study_stability(const Options& options) {
+void study_stability(const StabilityOptions& options) {
   const model::Configuration configuration = model::find_configuration(options.config);
   const Config config = configuration.config();
   if (!has_planes(config)) {
@@ -193,7 +193,7 @@ void study_stability(const Options& options) {
 }  // namespace
 
 void add_stability(CLI::App& app, int&) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<StabilityOptions>();
   CLI::App* command = app.add_subcommand("stability", "error of planes against the shape and size of triangles");
   command->footer(
       "Depth and colour planes before rounding, against exact arithmetic, at covered pixel centres: the kernels\n"

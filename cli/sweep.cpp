@@ -17,7 +17,7 @@
 namespace halfspace::cli {
 namespace {
 
-struct Options {
+struct SweepOptions {
   SweepInput input;
   int jobs = 1, point = 0;
   bool list = false, merge = false;
@@ -50,7 +50,7 @@ int merge(const Sweep& sweep) {
   return 0;
 }
 
-int run(const Options& options) {
+int run(const SweepOptions& options) {
   const Sweep sweep = plan_sweep(options.input);
   if (options.list) {
     list_points(sweep);
@@ -76,7 +76,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_sweep(CLI::App& app, int& status) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SweepOptions>();
   SweepInput& input = options->input;
   CLI::App* command =
       app.add_subcommand("sweep", "what accuracy costs: configurations measured on scenes, tables and plots");

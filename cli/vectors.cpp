@@ -20,7 +20,7 @@
 namespace halfspace::cli {
 namespace {
 
-struct Options {
+struct VectorsOptions {
   SceneInput input;
   int lanes = 0;  // 0: those of the configuration
   std::string out, json;
@@ -32,7 +32,7 @@ struct Options {
 };
 
 // Normals of all kinds for the frames that there are; before them, frames for the normals.
-void add_normals(const Options& options, const model::Configuration& configuration, bool corners,
+void add_normals(const VectorsOptions& options, const model::Configuration& configuration, bool corners,
                  std::vector<model::NamedFrame>& frames) {
   const Config config = configuration.config();
   for (std::size_t n = 0; n < frames.size(); ++n) {
@@ -46,7 +46,7 @@ void add_normals(const Options& options, const model::Configuration& configurati
   }
 }
 
-void tell(const Options& options, const model::Configuration& configuration, const std::string& manifest) {
+void tell(const VectorsOptions& options, const model::Configuration& configuration, const std::string& manifest) {
   const Json json = Json::parse(manifest);
   std::size_t words = 0;
   for (const auto& stream : json["streams"]) words += stream["words"].get<std::size_t>();
@@ -56,7 +56,7 @@ void tell(const Options& options, const model::Configuration& configuration, con
 }
 
 // A frame between two keys of a scene, as the kernels draw these.
-model::NamedCompensation compensation_of(const Options& options, const model::Configuration& configuration) {
+model::NamedCompensation compensation_of(const VectorsOptions& options, const model::Configuration& configuration) {
   const Config config = configuration.config();
   const auto times = interval_of(options.input);
   const FrameSize size =
@@ -74,7 +74,7 @@ model::NamedCompensation compensation_of(const Options& options, const model::Co
   return {options.input.scene, in.width, in.height, {*in.key[0], *in.key[1]}, in.motion, in.weight};
 }
 
-model::VectorSetOptions set_of(const Options& options, const model::Configuration& configuration) {
+model::VectorSetOptions set_of(const VectorsOptions& options, const model::Configuration& configuration) {
   model::VectorSetOptions set;
   set.scene = options.input.scene;
   set.configuration = configuration;
@@ -83,7 +83,7 @@ model::VectorSetOptions set_of(const Options& options, const model::Configuratio
   return set;
 }
 
-void write_compensation(const Options& options, const model::Configuration& configuration) {
+void write_compensation(const VectorsOptions& options, const model::Configuration& configuration) {
   const model::VectorSetOptions set = set_of(options, configuration);
   Progress progress("vectors " + set.scene);
   tell(options, configuration,
@@ -94,7 +94,7 @@ void write_compensation(const Options& options, const model::Configuration& conf
            [&](std::size_t done, std::size_t total) { progress.tell(done, total); }));
 }
 
-void write_merge(const Options& options, const model::Configuration& configuration) {
+void write_merge(const VectorsOptions& options, const model::Configuration& configuration) {
   const model::VectorSetOptions set = set_of(options, configuration);
   model::Merger(configuration, set.lanes);  // refuses a configuration without objects
   Progress progress("vectors merge");
@@ -104,7 +104,7 @@ void write_merge(const Options& options, const model::Configuration& configurati
 }
 
 // Two sets: the passes of a sequence at the ports of hs_pipeline, and the runs of ztest_merge.
-void write_static(const Options& options, const model::Configuration& configuration) {
+void write_static(const VectorsOptions& options, const model::Configuration& configuration) {
   const model::VectorSetOptions of_runs = set_of(options, configuration);
   model::VectorSetOptions of_passes = of_runs;
   of_passes.ports = true;
@@ -115,14 +115,14 @@ void write_static(const Options& options, const model::Configuration& configurat
       options.objects, options.frames, options.seed);
   Progress progress("vectors static");
   const auto told = [&](std::size_t done, std::size_t total) { progress.tell(done, total); };
-  Options part = options;
+  VectorsOptions part = options;
   part.out = options.out + "/pipeline";
   tell(part, configuration, model::write_vector_set(part.out, of_passes, sequence.passes, told));
   part.out = options.out + "/merge", part.json.clear();
   tell(part, configuration, model::write_merge_set(part.out, of_runs, sequence.runs, told));
 }
 
-void write_vectors(const Options& options) {
+void write_vectors(const VectorsOptions& options) {
   std::vector<model::NamedFrame> frames;
   model::Configuration configuration =
       model::find_configuration(options.input.config.empty() ? "middle" : options.input.config);
@@ -179,7 +179,7 @@ void write_vectors(const Options& options) {
 }  // namespace
 
 void add_vectors(CLI::App& app, int&) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<VectorsOptions>();
   CLI::App* command = app.add_subcommand("vectors", "write the words of every stream between two units");
   command->footer(
       "Annotated corner cases come first, then random frames, then the frame of SCENE; `standard` as SCENE stands\n"

@@ -44,13 +44,13 @@ constexpr Kind kKinds[] = {{"gouraud", "Gouraud", "none", 1},
                            {"supersampled", "Gouraud, 4x4 samples a pixel", "none", 4},
                            {"supersampled_textured", "textured, 4x4 samples a pixel", "bilinear", 4}};
 
-struct Options {
+struct ReproFramesOptions {
   std::vector<std::string> kinds;
   std::string size = "320x240", out, json;
   int frames = 0;
 };
 
-SequenceOptions sequence_of(const Options& options, const Printed& row, const Kind& kind) {
+SequenceOptions sequence_of(const ReproFramesOptions& options, const Printed& row, const Kind& kind) {
   SequenceOptions sequence;
   sequence.scene = row.scene;
   sequence.size = options.size;
@@ -69,7 +69,7 @@ SequenceOptions as_printed(SequenceOptions sequence) {
   return sequence;
 }
 
-Json measure_kind(const Options& options, const Kind& kind) {
+Json measure_kind(const ReproFramesOptions& options, const Kind& kind) {
   fmt::print(
       "{}, {}, one frame in five drawn; PSNR_Y in dB of the frames in between, mean\n\n"
       "{:<27} {:>8} {:>8}   {:<13} {:>8} {:>9} {:>12} {:>8} {:>8} {:>10}\n",
@@ -117,7 +117,7 @@ Json measure_kind(const Options& options, const Kind& kind) {
   return rows;
 }
 
-void repro_c(const Options& options) {
+void repro_c(const ReproFramesOptions& options) {
   Json json = {{"paper", "frame-rate up-conversion"}, {"rows", Json::array()}};
   if (!options.out.empty()) std::filesystem::create_directories(options.out);
   for (const Kind& kind : kKinds) {
@@ -132,7 +132,7 @@ void repro_c(const Options& options) {
 }  // namespace
 
 void add_repro_frames(CLI::App* repro) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ReproFramesOptions>();
   CLI::App* paper = repro->add_subcommand("C", "frame-rate up-conversion");
   std::vector<std::string> names;
   for (const Kind& kind : kKinds) names.emplace_back(kind.name);

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 using model::MethodFrames;
 using model::Spread;
 
-struct Options {
+struct ReproStaticOptions {
   model::StaticExperimentOptions experiment;
   std::string out, json;
 };
@@ -38,16 +38,16 @@ std::string method_text(std::size_t m, int buffers) {
   return m + 1 == model::kStaticMethods ? fmt::format("{} {}", buffers, kMethods[m].text) : kMethods[m].text;
 }
 
-Json to_json(const Spread& s) {
+Json json_of(const Spread& s) {
   return {{"frames", s.count()}, {"mean", s.mean()}, {"deviation", s.deviation()}, {"largest", s.largest()}};
 }
 
-Json to_json(const MethodFrames& f) {
-  return {{"objects_drawn", to_json(f.drawn)},
-          {"redrawn", to_json(f.redrawn)},
-          {"triangles", to_json(f.triangles)},
-          {"cycles", to_json(f.cycles)},
-          {"ms", to_json(f.milliseconds)},
+Json json_of(const MethodFrames& f) {
+  return {{"objects_drawn", json_of(f.drawn)},
+          {"redrawn", json_of(f.redrawn)},
+          {"triangles", json_of(f.triangles)},
+          {"cycles", json_of(f.cycles)},
+          {"ms", json_of(f.milliseconds)},
           {"starts", f.starts},
           {"updates", f.updates}};
 }
@@ -58,7 +58,7 @@ double largest_memory_mb() {
   return double(use.ru_maxrss) / 1024;
 }
 
-Json all_json(const Options& o, const model::StaticExperiment& e) {
+Json all_json(const ReproStaticOptions& o, const model::StaticExperiment& e) {
   const auto& x = o.experiment;
   Json json = {{"paper", "static objects buffer"},
                {"seed", x.crowd.seed},
@@ -78,13 +78,13 @@ Json all_json(const Options& o, const model::StaticExperiment& e) {
                {"steps", Json::array()}};
   for (const model::StaticStep& step : e.steps) {
     Json row = {{"moving", step.moving}};
-    for (std::size_t m = 0; m < model::kStaticMethods; ++m) row[kMethods[m].key] = to_json(step.methods[m]);
+    for (std::size_t m = 0; m < model::kStaticMethods; ++m) row[kMethods[m].key] = json_of(step.methods[m]);
     json["steps"].push_back(std::move(row));
   }
   return json;
 }
 
-void print(const Options& o, const model::StaticExperiment& e) {
+void print(const ReproStaticOptions& o, const model::StaticExperiment& e) {
   const auto& x = o.experiment;
   fmt::print(
       "{} objects, {} triangles, {} of them handed over in the first frame, which takes {:.1f} s; {}x{} in {}, {} "
@@ -154,7 +154,7 @@ std::string write_last_picture(const ref::ObjectBuffer& from, const std::string&
   return path;
 }
 
-void run(const Options& options) {
+void run(const ReproStaticOptions& options) {
   std::unique_ptr<Progress> progress;
   std::string phase;
   const auto tell = [&](const char* now, std::size_t done, std::size_t total) {
@@ -173,7 +173,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_repro_static(CLI::App& repro) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ReproStaticOptions>();
   auto& x = options->experiment;
   CLI::App* paper = repro.add_subcommand("E", "static objects buffer");
   paper->add_option("--objects", x.crowd.objects, "of 4,512 triangles each")->capture_default_str();

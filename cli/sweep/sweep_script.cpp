@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-
 #include "cli/plots/gnuplot.hpp"
 
 namespace halfspace::cli {
@@ -40,8 +38,6 @@ std::optional<double> number(const Json& row, const std::string& column) {
   if (!row["refused"].is_null() || !row.contains(column) || !row[column].is_number()) return std::nullopt;
   return row[column].get<double>();
 }
-
-std::string short_name(const std::string& scene) { return std::filesystem::path(scene).stem().string(); }
 
 const char* curve_colour(std::size_t n) {
   constexpr const char* kColours[] = {"#1f6fb4", "#d95f02", "#2a9d5c", "#8a4fa8", "#8c6d31", "#c0397b"};

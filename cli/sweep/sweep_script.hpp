@@ -31,9 +31,6 @@ class PanelScript {
 // A column of a row of the table; none where it was not measured.
 std::optional<double> number(const Json& row, const std::string& column);
 
-// A scene as the title of a panel: no folder, no ending.
-std::string short_name(const std::string& scene);
-
 // One a curve, again from the first on when there are no more.
 const char* curve_colour(std::size_t n);
 
