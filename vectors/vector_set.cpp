@@ -5,13 +5,13 @@
 #include <openssl/evp.h>
 
 #include <algorithm>
-#include <cstring>
 #include <fstream>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "model/formats/stream_list.hpp"
 #include "model/pipeline/engine.hpp"
 #include "ref/error.hpp"
 #include "vectors/staging.hpp"
@@ -21,51 +21,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Ends {
-  const char *from, *to, *context;
-};
-const std::map<std::string, Ends> kEnds = {
-    {"triangle", {"geometry", "triangle_setup", ""}},
-    {"setup", {"triangle_setup", "raster_pineda", ""}},
-    {"attributes", {"triangle_setup", "shade_setup", ""}},
-    {"planes", {"shade_setup", "tdbs", ""}},
-    {"triangle_depth", {"raster_pineda", "ztest_plane", ""}},
-    {"stamp", {"raster_pineda", "ztest_index", ""}},
-    {"update", {"ztest_index", "buffers", ""}},
-    {"visible", {"ztest_index", "geometry", ""}},
-    {"scan", {"scan_index", "shade_gouraud", ""}},
-    {"pixel", {"shade_gouraud", "frame", "scan"}},
-    {"light", {"host", "light_vertex", ""}},
-    {"material", {"host", "light_vertex", ""}},
-    {"normals", {"geometry", "light_vertex", ""}},
-    {"colours", {"light_vertex", "shade_setup", ""}},
-    {"visible_attributes", {"visible_select", "shade_setup", ""}},
-    {"texture", {"host", "shade_texture", ""}},
-    {"texel", {"host", "shade_texture", ""}},
-    {"texture_coordinates", {"geometry", "texture_setup", ""}},
-    {"key_weight", {"host", "motion_compensate", ""}},
-    {"key_request_0", {"motion_compensate", "key_memory", ""}},
-    {"key_request_1", {"motion_compensate", "key_memory", ""}},
-    {"key_block_0", {"key_memory", "motion_compensate", ""}},
-    {"key_block_1", {"key_memory", "motion_compensate", ""}},
-    {"compensated", {"motion_compensate", "frame", ""}},
-    {"texture_planes", {"texture_setup", "tdbs", ""}},
-    {"lit", {"shade_gouraud", "shade_texture", "scan"}},
-    {"motion_vectors", {"geometry", "motion_setup", ""}},
-    {"motion_planes", {"motion_setup", "tdbs", ""}},
-    {"motion", {"motion_field", "motion_compensate", ""}},
-    {"entry", {"scan_object", "ztest_merge", "scan"}},
-    {"merge", {"driver", "ztest_merge", ""}},
-    {"stored", {"s_buffer", "ztest_merge", ""}},
-    {"merged", {"ztest_merge", "frame", ""}},
-    {"found", {"ztest_merge", "driver", ""}},
-};
-
 // A .hex file and the digest of its text.
 class HexFile {
  public:
-  HexFile(const std::string& path, const Layout& layout, const Config& config)
-      : path_(path), layout_(layout), config_(config), file_(path, std::ios::binary) {
+  HexFile(const std::string& path, const Layout& layout) : path_(path), layout_(layout), file_(path, std::ios::binary) {
     EVP_DigestInit_ex(digest_.get(), EVP_sha256(), nullptr);
   }
 
@@ -102,33 +61,11 @@ class HexFile {
                         {"signed", field.is_signed},
                         {"fraction", field.fraction}});
     }
-    Ends ends = kEnds.at(layout_.stream);
-    // Units that stand where others do in kEnds.
-    auto replace = [&](const char* unit, const char* by) {
-      for (const char** end : {&ends.from, &ends.to}) *end = std::strcmp(*end, unit) ? *end : by;
-    };
-    if (is_deferred(config_)) {
-      if (layout_.stream == "attributes") ends.to = "visible_select";
-      if (layout_.stream == "visible") ends.from = "visible_select";
-    }
-    if (has_texture(config_) && layout_.stream == "pixel") ends.from = "shade_texture";
-    if (has_motion(config_)) replace("shade_setup", "motion_setup"), replace("shade_gouraud", "motion_field");
-    if (tests_planes(config_)) replace("ztest_index", "ztest_plane");
-    if (is_phong(config_)) {
-      replace("shade_setup", "phong_setup"), replace("shade_gouraud", "shade_phong");
-      const bool of_frame = layout_.stream == "light" || layout_.stream == "material";
-      replace("light_vertex", of_frame ? "shade_phong" : "phong_setup");
-    }
-    return {{"name", layout_.stream},
-            {"from", ends.from},
-            {"to", ends.to},
-            {"file", layout_.stream + ".hex"},
-            {"bits", layout_.bits},
-            {"words", total},
-            {"frame_words", frame_words_},
-            {"sha256", sha256},
-            {"context", ends.context},
-            {"fields", fields}};
+    return {{"name", layout_.stream},       {"from", layout_.row.from},
+            {"to", layout_.row.to},         {"file", layout_.stream + ".hex"},
+            {"bits", layout_.bits},         {"words", total},
+            {"frame_words", frame_words_},  {"sha256", sha256},
+            {"context", layout_.row.place}, {"fields", fields}};
   }
 
  private:
@@ -139,7 +76,6 @@ class HexFile {
 
   std::string path_;
   Layout layout_;
-  Config config_;
   std::ofstream file_;
   std::unique_ptr<EVP_MD_CTX, void (*)(EVP_MD_CTX*)> digest_{EVP_MD_CTX_new(), EVP_MD_CTX_free};
   std::vector<std::size_t> frame_words_;
@@ -155,7 +91,7 @@ std::string write_streams(const std::string& folder, const VectorSetOptions& opt
   StagedFolder staged(folder);
   std::map<std::string, HexFile> files;
   for (const Layout& layout : layouts) {
-    files.emplace(layout.stream, HexFile(staged.path(layout.stream + ".hex"), layout, configuration.config()));
+    files.emplace(layout.stream, HexFile(staged.path(layout.stream + ".hex"), layout));
     files.at(layout.stream)
         .comment(fmt::format("{} {} lanes {}: {} bits a word", layout.stream, configuration.name(), options.lanes,
                              layout.bits));
@@ -214,12 +150,7 @@ std::string write_unit_set(const std::string& folder, const VectorSetOptions& op
 }
 
 // Whether a stream comes or goes at a port of hs_pipeline, or is the one that a frame's end is told by.
-bool is_of_ports(const Layout& layout) {
-  static const char* const kPorts[] = {
-      "light",          "material", "texture", "texel",  "triangle", "normals", "texture_coordinates",
-      "motion_vectors", "visible",  "scan",    "motion", "entry",    "pixel"};
-  return std::any_of(std::begin(kPorts), std::end(kPorts), [&](const char* name) { return layout.stream == name; });
-}
+bool is_of_ports(const Layout& layout) { return is_port(layout.row) || layout.stream == "scan"; }
 
 }  // namespace
 

@@ -19,7 +19,6 @@ struct CompensationFrame {
 // That weight as a word, where a stream has to set it.
 template <class F>
 struct KeyWeightWord {
-  static constexpr const char* kStream = "key_weight";
   typename F::KeyWeight weight;
 
   template <class V>
@@ -31,7 +30,6 @@ struct KeyWeightWord {
 // motion_compensate → key memory: a tile that its cache has not; one stream a key.
 template <class F>
 struct KeyRequest {
-  static constexpr const char* kStream = "key_request";
   typename F::TileX tile_x;
   typename F::TileY tile_y;
 
@@ -45,7 +43,6 @@ struct KeyRequest {
 // its block. Beyond the frame it holds anything.
 template <class F, int N>
 struct KeyBlock {
-  static constexpr const char* kStream = "key_block";
   typename F::Colour r[N * N], g[N * N], b[N * N];
   typename F::Face face[N * N];  // 0: background, or more than one face
 
@@ -60,7 +57,6 @@ using Keys = ufix<2, 2>;  // bit k: key k contributed
 // motion_compensate → frame, a word a word of motion.
 template <class F>
 struct Compensated {
-  static constexpr const char* kStream = "compensated";
   Bit last;
   typename F::X x;
   typename F::Y y;

@@ -28,7 +28,6 @@ struct KeyPlaces {
 // geometry → motion_setup, with F::kHasMotion, in answer to a Visible that says so.
 template <class F>
 struct MotionVectors {
-  static constexpr const char* kStream = "motion_vectors";
   Bit last;
   typename F::Index index;
   typename F::Face face;
@@ -78,7 +77,6 @@ struct KeyPlanes {
 // motion_setup → TdbS, with F::kHasMotion: the entry of triangle `index`.
 template <class F>
 struct MotionPlanes {
-  static constexpr const char* kStream = "motion_planes";
   Bit last;
   Bit empty;  // nothing to store
   typename F::Index index;
@@ -129,7 +127,6 @@ struct KeyVector {
 // ends with a word of face 0.
 template <class F>
 struct Motion {
-  static constexpr const char* kStream = "motion";
   Bit last;
   typename F::X x;  // in pixels
   typename F::Y y;

@@ -18,10 +18,10 @@ struct ObjectPixel {
   typename F::Y y;
 };
 
-// join_entry → ztest_merge, in the place of Pixel: a stamp of the D-buffer.
+// A stamp of the D-buffer, as join_entry sends it in the place of Pixel, of an S-buffer, or of what they are merged
+// into.
 template <class F>
 struct Entry : Pixel<F> {
-  static constexpr const char* kStream = "entry";
   typename F::Depth depth[F::kLanes];
   typename F::Object object[F::kLanes];
 
@@ -33,22 +33,9 @@ struct Entry : Pixel<F> {
   }
 };
 
-// S-buffer → ztest_merge.
-template <class F>
-struct StoredEntry : Entry<F> {
-  static constexpr const char* kStream = "stored";
-};
-
-// ztest_merge → S-buffer, or frame.
-template <class F>
-struct MergedEntry : Entry<F> {
-  static constexpr const char* kStream = "merged";
-};
-
 // What a run of ztest_merge is to do.
 template <class F>
 struct Merge {
-  static constexpr const char* kStream = "merge";
   Bit merges;                      // a word of `entry` comes with each of `stored`
   Bit sends;                       // a word of `merged` goes for each of these
   typename F::Object first, last;  // objects that are looked for and erased; none if first > last
@@ -65,7 +52,6 @@ struct Merge {
 // of their stamps. All 0 where there is none.
 template <class F>
 struct Found {
-  static constexpr const char* kStream = "found";
   typename F::ObjectCount count;
   typename F::X x_first, x_last;
   typename F::Y y_first, y_last;

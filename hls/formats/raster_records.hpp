@@ -11,7 +11,6 @@ namespace halfspace {
 // its first stamp. Of an empty triangle it means nothing.
 template <class F>
 struct TriangleDepth {
-  static constexpr const char* kStream = "triangle_depth";
   typename F::Index index;
   typename F::X x;  // the stamp whose first pixel the plane starts at
   typename F::Y y;
@@ -29,7 +28,6 @@ struct TriangleDepth {
 // sends one with an empty mask, for the end of the triangle.
 template <class F>
 struct Stamp {
-  static constexpr const char* kStream = "stamp";
   Bit mask[F::kLanes];
   typename F::Depth depth[F::kLanes];  // of the plane, also where the mask is 0 and it means nothing
   Bit last;                            // of the frame
@@ -54,7 +52,6 @@ struct PlaneTests {
 // The Z-test → I-buffer and Z-buffer, if there is one: a write, of a stamp of which a fragment passed.
 template <class F>
 struct Update {
-  static constexpr const char* kStream = "update";
   Bit mask[F::kLanes];  // lanes that passed
   typename F::Depth depth[F::kLanes];
   typename F::Index index;
@@ -72,7 +69,6 @@ struct Update {
 // The Z-test → geometry: a triangle is done, and a fragment of it passed or none did.
 template <class F>
 struct Visible {
-  static constexpr const char* kStream = "visible";
   Bit last;
   Bit visible;
   typename F::Index index;

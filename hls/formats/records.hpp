@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The records that travel between the units, one struct a stream.
+// The records that travel between the units; hls/formats/streams.hpp says which stream has which.
 //
 // visit() names the fields once, in the order of a SystemVerilog packed struct: the first is the most significant.
 // Packing, manifests, the RTL package and the reports of mismatches all read the layout from there. Fields that

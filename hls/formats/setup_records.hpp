@@ -11,7 +11,6 @@ namespace halfspace {
 // `last` for a frame without triangles.
 template <class F>
 struct Triangle {
-  static constexpr const char* kStream = "triangle";
   Bit last;  // of the frame
   typename F::Index index;
   typename F::Object object;  // that the triangle is of; not 0
@@ -33,7 +32,6 @@ struct Triangle {
 // triangle_setup → raster_pineda, one a triangle. Positions in stamps.
 template <class F>
 struct Setup {
-  static constexpr const char* kStream = "setup";
   Bit last;
   Bit empty;  // no pixel centre of the frame lies in the bounding box, or the area is zero; the rest then means nothing
   typename F::Index index;
@@ -63,7 +61,6 @@ struct Setup {
 // texture_setup.
 template <class F>
 struct Attributes {
-  static constexpr const char* kStream = "attributes";
   Bit last;
   Bit empty;
   typename F::Index index;

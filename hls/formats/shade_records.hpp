@@ -10,7 +10,6 @@ namespace halfspace {
 // shade_setup → TdbS, the triangle database for shading: the entry of triangle `index`.
 template <class F>
 struct Planes {
-  static constexpr const char* kStream = "planes";
   Bit last;
   Bit empty;  // nothing to store
   typename F::Index index;
@@ -37,7 +36,6 @@ struct Planes {
 // it has no sign.
 template <class F>
 struct NormalPlanes {
-  static constexpr const char* kStream = "planes";
   Bit last;
   Bit empty;  // nothing to store
   typename F::Index index;
@@ -57,7 +55,6 @@ struct NormalPlanes {
 // A light of the frame: unit vectors to it and, for highlights, half-way between it and the viewer.
 template <class F>
 struct Light {
-  static constexpr const char* kStream = "light";
   typename F::LightNumber light;
   typename F::Direction to_light[3], half[3];
 
@@ -73,7 +70,6 @@ struct Light {
 // without any.
 template <class F>
 struct Material {
-  static constexpr const char* kStream = "material";
   typename F::MaterialNumber material;
   typename F::LightNumber light;
   typename F::Gloss gloss;  // k: the exponent is 2^k; the same for all lights
@@ -93,7 +89,6 @@ struct Material {
 // in the order given, of any length; one of length 0 shows the base alone. `last` and `index` are those of the Visible.
 template <class F>
 struct Normals {
-  static constexpr const char* kStream = "normals";
   Bit last;
   typename F::Index index;
   typename F::MaterialNumber material;
@@ -110,7 +105,6 @@ struct Normals {
 // light_vertex → shade_setup: the colours of a triangle.
 template <class F>
 struct Colours {
-  static constexpr const char* kStream = "colours";
   Bit last;
   typename F::Index index;
   typename F::Colour r[3], g[3], b[3];  // flat: at [0]
@@ -125,7 +119,6 @@ struct Colours {
 // scan_index → shade_gouraud, or shade_phong: a stamp of the finished I-buffer, rows downward, stamps to the right.
 template <class F>
 struct Scan {
-  static constexpr const char* kStream = "scan";
   typename F::Index index[F::kLanes];  // lanes outside the frame: 0
   Bit last;
   typename F::X x;  // in stamps
@@ -141,7 +134,6 @@ struct Scan {
 // The shader → frame, in the order of scan.
 template <class F>
 struct Pixel {
-  static constexpr const char* kStream = "pixel";
   typename F::Colour r[F::kLanes], g[F::kLanes], b[F::kLanes];
   Bit last;
   typename F::X x;  // in stamps
@@ -152,12 +144,6 @@ struct Pixel {
     v("last", last), v("x", x), v("y", y);
     v.lanes("r", r), v.lanes("g", g), v.lanes("b", b);
   }
-};
-
-// The shader → shade_texture, with F::kHasTexture: what the pixels look like without their texture.
-template <class F>
-struct LitPixel : Pixel<F> {
-  static constexpr const char* kStream = "lit";
 };
 
 }  // namespace halfspace

@@ -14,7 +14,6 @@ namespace halfspace {
 //   affine        s = 2^b·u′/2^e,  t = 2^b·v′/2^e, rounded, 2^b − 1 at most
 template <class F>
 struct TextureCoordinates {
-  static constexpr const char* kStream = "texture_coordinates";
   Bit last;
   typename F::Index index;
   typename F::TextureNumber texture;  // 0: none, and the rest means nothing
@@ -33,7 +32,6 @@ struct TextureCoordinates {
 // texture_setup → TdbS, with F::kHasTexture: the entry of triangle `index`.
 template <class F>
 struct TexturePlanes {
-  static constexpr const char* kStream = "texture_planes";
   Bit last;
   Bit empty;  // nothing to store
   typename F::Index index;
@@ -55,7 +53,6 @@ struct TexturePlanes {
 // product, so that it need not be added to what is below.
 template <class F>
 struct TextureEntry {
-  static constexpr const char* kStream = "texture";
   typename F::TextureNumber texture;  // 1 … F::kTextures
   typename F::TexelAddress base;
   typename F::Side log2_width, log2_height;
@@ -71,7 +68,6 @@ struct TextureEntry {
 // more, and the bank comes last.
 template <class F>
 struct Texel {
-  static constexpr const char* kStream = "texel";
   typename F::TexelAddress address;
   typename F::Colour r, g, b;
 

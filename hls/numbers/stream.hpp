@@ -27,6 +27,8 @@ template <class T>
 struct Probe {
   void write(const T&) {}
 };
+template <class T>
+struct Loaded {};
 }  // namespace halfspace
 #undef HS_STREAM
 #else
@@ -81,10 +83,23 @@ class Probe {
   std::vector<T>* tap_ = nullptr;
 };
 
+// What stands in a memory or a register before a frame: its words, for who watches.
+template <class T>
+struct Loaded {
+  std::vector<T> words;
+};
+
 }  // namespace halfspace
 #endif
 
 namespace halfspace {
+
+// Into a memory that takes a word at any time.
+template <class T>
+using Stored = Stream<T>;
+// Between a unit and a memory outside, which natively it reaches by itself.
+template <class T>
+using Fetch = Probe<T>;
 
 // A word to two readers.
 template <class T>

@@ -30,8 +30,8 @@
 namespace halfspace {
 
 template <class F>
-void ztest_merge(Stream<Merge<F>>& merge, Stream<StoredEntry<F>>& stored, Stream<Entry<F>>& entry,
-                 Stream<MergedEntry<F>>& merged, Stream<Found<F>>& found) {
+void ztest_merge(Stream<Merge<F>>& merge, Stream<Entry<F>>& stored, Stream<Entry<F>>& entry, Stream<Entry<F>>& merged,
+                 Stream<Found<F>>& found) {
   using Depth = typename F::Depth;
   using Object = typename F::Object;
   using Colour = typename F::Colour;
@@ -42,10 +42,10 @@ void ztest_merge(Stream<Merge<F>>& merge, Stream<StoredEntry<F>>& stored, Stream
 Stamps:
   for (int n = 0; n < F::kStamps && !done; ++n) {
     HS_PIPELINE(1)
-    const StoredEntry<F> in = stored.read();
+    const Entry<F> in = stored.read();
     Entry<F> drawn = in;
     if (raw(run.merges)) drawn = entry.read();
-    MergedEntry<F> out;
+    Entry<F> out;
     out.last = in.last;
     out.x = in.x;
     out.y = in.y;

@@ -13,16 +13,16 @@ extern "C" void ztest_merge_top(int count, const std::int64_t merge[kMergeFields
                                 std::int64_t found[kFoundFields]) {
   using F = TopFormats;
   Stream<Merge<F>> run;
-  Stream<StoredEntry<F>> in;
+  Stream<Entry<F>> in;
   Stream<Entry<F>> drawn;
-  Stream<MergedEntry<F>> out;
+  Stream<Entry<F>> out;
   Stream<Found<F>> result;
   const Merge<F> command = read_fields<Merge<F>>(merge);
   run.write(command);
 Stamps:
   for (int n = 0; n < F::kStamps; ++n) {
     if (n == count) break;
-    in.write(read_fields<StoredEntry<F>>(stored + n * kEntryFields));
+    in.write(read_fields<Entry<F>>(stored + n * kEntryFields));
     if (raw(command.merges)) drawn.write(read_fields<Entry<F>>(entry + n * kEntryFields));
   }
   ztest_merge(run, in, drawn, out, result);

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// The layout of a record as a packed word, read from its visit().
+// The layout of a record as a packed word, read from its visit(), and of a stream's.
 #ifndef HALFSPACE_MODEL_FORMATS_LAYOUT_HPP_
 #define HALFSPACE_MODEL_FORMATS_LAYOUT_HPP_
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "hls/formats/streams.hpp"
 #include "hls/numbers/fixed.hpp"
 
 namespace halfspace::model {
@@ -23,7 +25,8 @@ struct Field {
 };
 
 struct Layout {
-  std::string stream;
+  std::string stream;  // its name; "" of a record alone
+  StreamRow row{};     // what else the table says of it
   int bits = 0;
   int head_bits = 0;          // the fields that come once, above the lanes
   std::vector<Field> fields;  // the most significant first
@@ -91,9 +94,16 @@ class PackVisitor {
 template <class Record>
 Layout layout() {
   Layout result;
-  result.stream = Record::kStream;
   Record record{};
   record.visit(detail::LayoutVisitor(result));
+  return result;
+}
+
+template <class Record>
+Layout layout(const StreamRow& row) {
+  Layout result = layout<Record>();
+  result.stream = row.name;
+  result.row = row;
   return result;
 }
 
@@ -109,13 +119,8 @@ struct StreamWords {
   std::vector<Word> words;
 };
 
-template <class Record>
-StreamWords stream_words(const std::vector<Record>& records, const Layout& layout) {
-  StreamWords out{layout, {}};
-  out.words.reserve(records.size());
-  for (const Record& record : records) out.words.push_back(pack(record, layout.bits));
-  return out;
-}
+// Receives the words of one stream of one frame, in order.
+using WordSink = std::function<void(const Layout&, const Word*, std::size_t count)>;
 
 // Lower-case hexadecimal digits, as many as `bits` need, most significant first.
 inline void append_hex(std::string& text, const Word& word, int bits) {

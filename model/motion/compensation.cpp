@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <tuple>
 
+#include "hls/formats/streams.hpp"
 #include "hls/motion/motion_compensate.hpp"
+#include "model/formats/recorder.hpp"
 #include "model/formats/runtime_formats.hpp"
 #include "ref/error.hpp"
 
@@ -33,15 +36,11 @@ namespace {
 
 using F = RuntimeFormats<Stamp1>;
 
-constexpr const char* kRequests[2] = {"key_request_0", "key_request_1"};
-constexpr const char* kBlocks[2] = {"key_block_0", "key_block_1"};
-
-template <class Record>
-Layout named_layout(const char* stream) {
-  Layout result = layout<Record>();
-  result.stream = stream;
-  return result;
-}
+// Of motion_compensate, whose blocks have N × N pixels.
+template <int N>
+struct CompensateStreams {
+  HS_STREAM_MEMBERS(HS_COMPENSATE_STREAMS)
+};
 
 // The memory of a key frame: blocks of a tile together; beyond the frame pixels of no face.
 template <int N>
@@ -129,27 +128,22 @@ CompensatedFrame compensate(const CompensationInput& input, const Config& config
   const KeyWeights<F> weights;
   const std::vector<KeyBlock<F, N>> memory[kKeys] = {key_memory<N>(*input.key[0]), key_memory<N>(*input.key[1])};
   const auto caches = std::make_unique<std::array<KeyCache<F, N>, kKeys>>();
-  Probe<KeyRequest<F>> request[kKeys];
-  Probe<KeyBlock<F, N>> block[kKeys];
+  CompensateStreams<N> s;
+  std::optional<Recorder> recorder;
+  if (streams) recorder.emplace(s);
+  s.key_weight.words.push_back({frame.weight});
+  // Tiles that the caches fetch: they are counted, whether or not the streams are recorded.
+  Probe<KeyRequest<F>> fetch[kKeys];
   std::vector<KeyRequest<F>> requests[kKeys];
-  std::vector<KeyBlock<F, N>> blocks[kKeys];
-  Stream<Motion<F>> in;
-  Stream<Compensated<F>> out;
-  std::vector<Motion<F>> words;
-  std::vector<Compensated<F>> compensated;
-  for (int k = 0; k < kKeys; ++k) {
-    request[k].tap(&requests[k]);
-    if (streams) block[k].tap(&blocks[k]);
-  }
-  if (streams) in.tap(&words), out.tap(&compensated);
-  const KeyPort<F, N> port[kKeys] = {{&(*caches)[0], memory[0].data(), &request[0], &block[0]},
-                                     {&(*caches)[1], memory[1].data(), &request[1], &block[1]}};
+  for (int k = 0; k < kKeys; ++k) fetch[k].tap(&requests[k]);
+  const KeyPort<F, N> port[kKeys] = {{&(*caches)[0], memory[0].data(), &fetch[0], &s.key_block_0},
+                                     {&(*caches)[1], memory[1].data(), &fetch[1], &s.key_block_1}};
   CompensatedFrame result;
   for (std::size_t n = 0; n < motion.size(); ++n) {
     const std::size_t before[kKeys] = {requests[0].size(), requests[1].size()};
-    in.write(motion_record(motion[n], n + 1 == motion.size()));
-    motion_compensate<F, N>(frame, weights, in, port, out);
-    const Compensated<F> pixel = out.read();
+    s.motion.write(motion_record(motion[n], n + 1 == motion.size()));
+    motion_compensate<F, N>(frame, weights, s.motion, port, s.compensated);
+    const Compensated<F> pixel = s.compensated.read();
     result.pixels.push_back({int(raw(pixel.x)),
                              int(raw(pixel.y)),
                              {std::uint8_t(raw(pixel.r)), std::uint8_t(raw(pixel.g)), std::uint8_t(raw(pixel.b))},
@@ -159,29 +153,16 @@ CompensatedFrame compensate(const CompensationInput& input, const Config& config
   result.misses = {requests[0].size(), requests[1].size()};
   const std::size_t latency = config.filter == KeyFilter::kNearest ? 9 : 15;
   result.cycles = motion.size() + (1 + blocks_a_tile(N)) * result.fills + latency;
-  if (streams) {
-    KeyWeightWord<F> weight;
-    weight.weight = frame.weight;
-    *streams = {stream_words<KeyWeightWord<F>>({weight}, layout<KeyWeightWord<F>>()),
-                stream_words(words, layout<Motion<F>>()),
-                stream_words(requests[0], named_layout<KeyRequest<F>>(kRequests[0])),
-                stream_words(requests[1], named_layout<KeyRequest<F>>(kRequests[1])),
-                stream_words(blocks[0], named_layout<KeyBlock<F, N>>(kBlocks[0])),
-                stream_words(blocks[1], named_layout<KeyBlock<F, N>>(kBlocks[1])),
-                stream_words(compensated, layout<Compensated<F>>())};
-  }
+  for (const KeyRequest<F>& word : requests[0]) s.key_request_0.write(word);
+  for (const KeyRequest<F>& word : requests[1]) s.key_request_1.write(word);
+  if (streams) *streams = recorder->words();
   return result;
 }
 
 template <int N>
 std::vector<Layout> layouts_of() {
-  return {layout<KeyWeightWord<F>>(),
-          layout<Motion<F>>(),
-          named_layout<KeyRequest<F>>(kRequests[0]),
-          named_layout<KeyRequest<F>>(kRequests[1]),
-          named_layout<KeyBlock<F, N>>(kBlocks[0]),
-          named_layout<KeyBlock<F, N>>(kBlocks[1]),
-          layout<Compensated<F>>()};
+  CompensateStreams<N> streams;
+  return stream_layouts(streams);
 }
 
 }  // namespace

@@ -52,9 +52,9 @@ class Compensator {
   explicit Compensator(const Configuration& configuration);
 
   CompensatedFrame run(const CompensationInput& input) const;
-  // The words of key_weight, motion, key_request_0, key_request_1, key_block_0, key_block_1, compensated as well.
+  // The words of its streams as well, in flow order.
   CompensatedFrame capture(const CompensationInput& input, std::vector<StreamWords>& streams) const;
-  // Of those streams, in that order.
+  // Of those streams.
   std::vector<Layout> layouts() const;
 
  private:

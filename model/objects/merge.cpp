@@ -70,8 +70,8 @@ std::vector<Layout> Merger::layouts() const {
   return with_stamp<std::vector<Layout>>(lanes_, [&](auto stamp) -> std::vector<Layout> {
     using F = RuntimeFormats<decltype(stamp)>;
     F::activate(configuration_.config(), table_);
-    return {layout<Merge<F>>(), layout<StoredEntry<F>>(), layout<Entry<F>>(), layout<MergedEntry<F>>(),
-            layout<Found<F>>()};
+    MergeStreams<F> streams;
+    return stream_layouts(streams);
   });
 }
 

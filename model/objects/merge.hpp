@@ -41,9 +41,9 @@ class Merger {
 
   // Throws ref::Error for what does not fit the configuration.
   MergeResult run(const MergeInput& input) const;
-  // The words of merge, stored, entry, merged and found as well.
+  // The words of its streams as well, in flow order.
   MergeResult capture(const MergeInput& input, std::vector<StreamWords>& streams) const;
-  // Of those streams, in that order.
+  // Of those streams.
   std::vector<Layout> layouts() const;
 
  private:

@@ -3,18 +3,27 @@
 #ifndef HALFSPACE_MODEL_OBJECTS_MERGE_IMPL_HPP_
 #define HALFSPACE_MODEL_OBJECTS_MERGE_IMPL_HPP_
 
+#include <optional>
 #include <vector>
 
+#include "hls/formats/streams.hpp"
 #include "hls/objects/ztest_merge.hpp"
+#include "model/formats/recorder.hpp"
 #include "model/objects/merge.hpp"
 #include "model/objects/object_records.hpp"
 #include "ref/geometry/snap.hpp"
 
 namespace halfspace::model {
 
-template <class F, class E>
-E entry_record(const std::vector<RawEntry>& buffer, const MergeInput& input, int x, int y, bool last) {
-  E out{};
+// Of ztest_merge.
+template <class F>
+struct MergeStreams {
+  HS_STREAM_MEMBERS(HS_MERGE_STREAMS)
+};
+
+template <class F>
+Entry<F> entry_record(const std::vector<RawEntry>& buffer, const MergeInput& input, int x, int y, bool last) {
+  Entry<F> out{};
   out.last = from_raw<Bit>(last);
   out.x = from_raw<typename F::X>(x);
   out.y = from_raw<typename F::Y>(y);
@@ -32,22 +41,12 @@ E entry_record(const std::vector<RawEntry>& buffer, const MergeInput& input, int
   return out;
 }
 
-// Of an input that fits. `streams` takes the words of merge, stored, entry, merged and found, unless it is null.
+// Of an input that fits. `words` takes those of its streams, unless it is null.
 template <class F>
-MergeResult merge_run(const MergeInput& input, std::vector<StreamWords>* streams) {
-  Stream<Merge<F>> run;
-  Stream<StoredEntry<F>> stored;
-  Stream<Entry<F>> entry;
-  Stream<MergedEntry<F>> merged;
-  Stream<Found<F>> found;
-  std::vector<Merge<F>> run_words;
-  std::vector<StoredEntry<F>> stored_words;
-  std::vector<Entry<F>> entry_words;
-  std::vector<MergedEntry<F>> merged_words;
-  std::vector<Found<F>> found_words;
-  if (streams)
-    run.tap(&run_words), stored.tap(&stored_words), entry.tap(&entry_words), merged.tap(&merged_words),
-        found.tap(&found_words);
+MergeResult merge_run(const MergeInput& input, std::vector<StreamWords>* words) {
+  MergeStreams<F> s;
+  std::optional<Recorder> recorder;
+  if (words) recorder.emplace(s);
 
   Merge<F> command;
   command.merges = from_raw<Bit>(input.drawn != nullptr);
@@ -57,22 +56,22 @@ MergeResult merge_run(const MergeInput& input, std::vector<StreamWords>* streams
   command.r = from_raw<typename F::Colour>(input.background[0]);
   command.g = from_raw<typename F::Colour>(input.background[1]);
   command.b = from_raw<typename F::Colour>(input.background[2]);
-  run.write(command);
+  s.merge.write(command);
   const int x0 = input.box.x0 / F::kLanesX, x1 = (input.box.x1 - 1) / F::kLanesX;
   const int y0 = input.box.y0 / F::kLanesY, y1 = (input.box.y1 - 1) / F::kLanesY;
   for (int y = y0; y <= y1; ++y) {
     for (int x = x0; x <= x1; ++x) {
       const bool last = x == x1 && y == y1;
-      stored.write(entry_record<F, StoredEntry<F>>(*input.stored, input, x, y, last));
-      if (input.drawn) entry.write(entry_record<F, Entry<F>>(*input.drawn, input, x, y, last));
+      s.stored.write(entry_record<F>(*input.stored, input, x, y, last));
+      if (input.drawn) s.entry.write(entry_record<F>(*input.drawn, input, x, y, last));
     }
   }
-  ztest_merge(run, stored, entry, merged, found);
+  ztest_merge(s.merge, s.stored, s.entry, s.merged, s.found);
 
   MergeResult result;
   if (input.sends) result.merged = *input.stored;
-  while (!merged.empty()) put_entry<F>(merged.read(), input.width, input.height, result.merged);
-  const Found<F> hits = found.read();
+  while (!s.merged.empty()) put_entry<F>(s.merged.read(), input.width, input.height, result.merged);
+  const Found<F> hits = s.found.read();
   result.count = std::uint64_t(raw(hits.count));
   if (result.count != 0) {
     result.box = ref::Box{int(raw(hits.x_first)) * F::kLanesX, int(raw(hits.y_first)) * F::kLanesY,
@@ -80,11 +79,7 @@ MergeResult merge_run(const MergeInput& input, std::vector<StreamWords>* streams
                      .cut({0, 0, input.width, input.height});
   }
   result.cycles = std::uint64_t(x1 - x0 + 1) * std::uint64_t(y1 - y0 + 1) + 1;
-  if (streams) {
-    *streams = {stream_words(run_words, layout<Merge<F>>()), stream_words(stored_words, layout<StoredEntry<F>>()),
-                stream_words(entry_words, layout<Entry<F>>()), stream_words(merged_words, layout<MergedEntry<F>>()),
-                stream_words(found_words, layout<Found<F>>())};
-  }
+  if (words) *words = recorder->words();
   return result;
 }
 

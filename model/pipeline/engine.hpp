@@ -3,7 +3,6 @@
 #ifndef HALFSPACE_MODEL_PIPELINE_ENGINE_HPP_
 #define HALFSPACE_MODEL_PIPELINE_ENGINE_HPP_
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,20 +21,13 @@
 
 namespace halfspace::model {
 
-// Receives the words of one stream of one frame, in order.
-using WordSink = std::function<void(const Layout&, const Word*, std::size_t count)>;
-
 class Engine {
  public:
   virtual ~Engine() = default;
 
   virtual int lanes_x() const = 0;
   virtual int lanes_y() const = 0;
-  // In flow order: triangle, setup, attributes, planes, triangle_depth if there is one, stamp, update, visible, scan,
-  // pixel. With lighting light and material stand first, and before planes normals and, but for Phong shading, colours;
-  // with texture texture and texel, then texture_coordinates and texture_planes, and lit before pixel; with either
-  // visible_attributes after attributes. A motion configuration has visible_attributes, motion_vectors and
-  // motion_planes, and motion in the place of pixel; one with objects has entry there.
+  // Of the streams that the configuration has, in flow order: those of hls/formats/streams.hpp.
   virtual std::vector<Layout> layouts() const = 0;
 
   // Of a configuration with lighting, before a frame is drawn: its lights, its materials, and the normals of its

@@ -27,8 +27,8 @@ template <class Record>
 std::vector<std::int64_t> fields_of(const Record& record, int count) {
   std::vector<std::int64_t> fields(std::size_t(count) + 1, kNoField);
   write_fields(record, fields.data());
-  EXPECT_EQ(fields.back(), kNoField) << Record::kStream << " has more fields than its top";
-  EXPECT_NE(fields[std::size_t(count) - 1], kNoField) << Record::kStream << " has fewer fields than its top";
+  EXPECT_EQ(fields.back(), kNoField) << "more fields than its top";
+  EXPECT_NE(fields[std::size_t(count) - 1], kNoField) << "fewer fields than its top";
   return fields;
 }
 

@@ -27,8 +27,8 @@ template <class Record>
 std::vector<std::int64_t> fields_of(const Record& record, int count) {
   std::vector<std::int64_t> fields(std::size_t(count) + 1, -1);
   write_fields(record, fields.data());
-  EXPECT_EQ(fields.back(), -1) << Record::kStream << " has more fields than its top";
-  EXPECT_NE(fields[std::size_t(count) - 1], -1) << Record::kStream << " has fewer fields than its top";
+  EXPECT_EQ(fields.back(), -1) << "more fields than its top";
+  EXPECT_NE(fields[std::size_t(count) - 1], -1) << "fewer fields than its top";
   return fields;
 }
 

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// Triangles in, visibility out: which unit feeds which, as far as the I-buffer.
+//
+//   triangle ─► triangle_setup ─setup─► raster_pineda ─stamp─► Z-test ─► visible
+//                     └─ attributes                               └ update ─► I-buffer; Z-buffer or TdbV
+#ifndef HALFSPACE_HLS_PIPELINE_FRONT_HPP_
+#define HALFSPACE_HLS_PIPELINE_FRONT_HPP_
+
+#include "hls/formats/buffers.hpp"
+#include "hls/objects/scan_object.hpp"
+#include "hls/pipeline/choose.hpp"
+#include "hls/pipeline/pipeline_streams.hpp"
+#include "hls/raster/raster_pineda.hpp"
+#include "hls/setup/triangle_setup.hpp"
+#include "hls/ztest/visible_select.hpp"
+#include "hls/ztest/ztest_index.hpp"
+#include "hls/ztest/ztest_plane.hpp"
+
+namespace halfspace {
+
+// One triangle from s.triangle into the I-buffer, and what geometry hears of it into s.visible.
+template <class F>
+void pipeline_triangle(const Frame<F>& frame, Streams<F>& s, Buffers<F>& b) {
+  if (F::kHasObjects) {
+    fork(s.triangle, s.drawn_triangle, s.numbered_triangle);
+    store_object(s.numbered_triangle, b.objects);
+  }
+  triangle_setup(frame, F::kHasObjects ? s.drawn_triangle : s.triangle, s.setup, s.attributes);
+  raster_pineda(frame, s.setup, s.stamp, s.triangle_depth, s.visits);
+  Stream<Visible<F>>& tested = F::kDeferred ? s.tested : s.visible;
+  choose(
+      typename F::CompilesPlaneTest(), F::kTestsPlanes, s, b,
+      [&](auto& s, auto& b) {
+        ztest_plane(s.stamp, s.triangle_depth, b.index, b.visibility, s.update, tested, s.tests);
+      },
+      [&](auto& s, auto& b) { ztest_index(s.stamp, b.index, b.depth, s.update, tested); });
+  if (F::kDeferred) visible_select(s.attributes, tested, s.visible, s.visible_attributes);
+}
+
+}  // namespace halfspace
+
+#endif  // HALFSPACE_HLS_PIPELINE_FRONT_HPP_

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// Triangles of a frame into the kernels, as geometry sends them.
+#ifndef HALFSPACE_MODEL_PIPELINE_KERNEL_DRAW_HPP_
+#define HALFSPACE_MODEL_PIPELINE_KERNEL_DRAW_HPP_
+
+#include <algorithm>
+#include <vector>
+
+#include "hls/pipeline/pipeline.hpp"
+#include "model/motion/motion_records.hpp"
+#include "model/shade/lighting_records.hpp"
+#include "model/texture/texture_records.hpp"
+#include "ref/error.hpp"
+#include "ref/geometry/snap.hpp"
+#include "ref/raster/index_pool.hpp"
+
+namespace halfspace::model {
+
+// What a configuration may want of each triangle besides, and how their indices are given.
+struct TriangleAnswers {
+  std::vector<RawNormals> normals;
+  std::vector<RawCoordinates> coordinates;
+  std::vector<RawMotionVectors> vectors;
+  std::vector<std::uint32_t> objects;  // none: all are of object 1
+  std::uint32_t window = 0;            // of index reuse
+};
+
+template <class F>
+Frame<F> frame_registers(const ref::SnappedList& scene) {
+  Frame<F> registers;
+  registers.width = from_raw<typename F::X>(scene.width);
+  registers.height = from_raw<typename F::Y>(scene.height);
+  registers.r = from_raw<typename F::Colour>(scene.background[0]);
+  registers.g = from_raw<typename F::Colour>(scene.background[1]);
+  registers.b = from_raw<typename F::Colour>(scene.background[2]);
+  return registers;
+}
+
+// Throws ref::Error for objects without a number in the configuration.
+template <class F>
+void check_objects(const std::vector<std::uint32_t>& objects, std::size_t triangles) {
+  const std::uint32_t most = (1u << F::Object::width()) - 1;
+  if (!objects.empty() && objects.size() != triangles) {
+    throw ref::Error("a frame has another number of triangles than numbers of objects: this is a fault of the program");
+  }
+  for (const std::uint32_t object : objects) {
+    if (object == 0 || object > most)
+      throw ref::Error("an object's number does not fit its bits: raise object_bits of the configuration");
+  }
+}
+
+// Throws ref::Error for a frame that the configuration cannot draw.
+template <class F>
+void check_frame(const ref::SnappedList& scene, const TriangleAnswers& answers, bool all) {
+  const std::size_t count = scene.triangles.size();
+  const bool too_many = all && answers.window == 0 && count > std::size_t(F::kTriangles);
+  if (scene.width > F::kWidth || scene.height > F::kHeight || too_many) {
+    throw ref::Error("a frame is larger than the configuration that is to draw it: snap it for that configuration");
+  }
+  if (F::kHasLighting && answers.normals.size() != count) {
+    throw ref::Error("the configuration lights triangles, and these came without normals: take one without lights");
+  }
+  if (F::kHasTexture && answers.coordinates.size() != count) {
+    throw ref::Error(
+        "the configuration draws textures, and the triangles came without coordinates: take one without texture");
+  }
+  if (F::kHasMotion && answers.vectors.size() != count) {
+    throw ref::Error(
+        "the configuration is of frames in between, and the triangles came without motion: take one that shades "
+        "them");
+  }
+  if (F::kHasObjects) check_objects<F>(answers.objects, count);
+}
+
+template <class F>
+Triangle<F> triangle_record(const ref::SnappedTriangle& in, std::uint32_t index, std::uint32_t object) {
+  Triangle<F> t{};
+  t.index = from_raw<typename F::Index>(index);
+  if (F::kHasObjects) t.object = from_raw<typename F::Object>(object);
+  for (int v = 0; v < 3; ++v) {
+    t.x[v] = from_raw<typename F::Coord>(in.x[v]);
+    t.y[v] = from_raw<typename F::Coord>(in.y[v]);
+    t.depth[v] = from_raw<typename F::Depth>(in.depth[v]);
+    t.r[v] = from_raw<typename F::Colour>(in.rgb[v][0]);
+    t.g[v] = from_raw<typename F::Colour>(in.rgb[v][1]);
+    t.b[v] = from_raw<typename F::Colour>(in.rgb[v][2]);
+  }
+  return t;
+}
+
+// What geometry answers when triangle k is visible.
+template <class F>
+void answer(const Visible<F>& done, const TriangleAnswers& answers, std::size_t k, Streams<F>& s) {
+  if (!raw(done.visible)) return;
+  const int index = int(raw(done.index));
+  const bool last = raw(done.last) != 0;
+  if (F::kHasLighting) s.normals.write(normals_record<F>(answers.normals[k], index, last));
+  if (F::kHasTexture) s.texture_coordinates.write(coordinates_record<F>(answers.coordinates[k], index, last));
+  if (F::kHasMotion) s.motion_vectors.write(vectors_record<F>(answers.vectors[k], index, last));
+}
+
+// Draws all triangles into the buffers; else those that there are indices for. Returns how many.
+template <class F>
+std::size_t draw(const ref::SnappedList& scene, const TriangleAnswers& answers, bool all, Streams<F>& streams,
+                 Buffers<F>& buffers, std::vector<bool>* visible) {
+  check_frame<F>(scene, answers, all);
+  if (visible) visible->resize(scene.triangles.size());
+  const Frame<F> registers = frame_registers<F>(scene);
+  const std::size_t count = scene.triangles.size();
+  ref::IndexPool pool({answers.window, std::uint32_t(F::kTriangles)});
+  for (std::size_t k = 0; k < std::max<std::size_t>(count, 1); ++k) {
+    if (!all && k < count && !pool.has_one()) return k;
+    Triangle<F> t{};  // none at all, which ends a frame without triangles
+    if (k < count)
+      t = triangle_record<F>(scene.triangles[k], pool.take(), answers.objects.empty() ? 1 : answers.objects[k]);
+    t.last = from_raw<Bit>(k + 1 >= count);
+    streams.triangle.write(t);
+    pipeline_triangle(registers, streams, buffers);
+    const Visible<F> done = streams.visible.read();
+    answer<F>(done, answers, k, streams);
+    pipeline_planes(streams, buffers);
+    pool.done(std::uint32_t(raw(done.index)), raw(done.visible) != 0);
+    if (visible && k < count) (*visible)[k] = raw(done.visible) != 0;
+  }
+  return count;
+}
+
+}  // namespace halfspace::model
+
+#endif  // HALFSPACE_MODEL_PIPELINE_KERNEL_DRAW_HPP_
