@@ -2,6 +2,7 @@
 // halfspace report: a scene three ways, as pictures and as the table of its stages.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -62,43 +63,34 @@ ref::Frame read_rtl_frame(const std::string& path, const ref::Frame& like) {
   return frame;
 }
 
-struct Row {
-  const char* stage;
-  std::vector<const char*> streams;  // that it sends
+struct Stage {
+  std::string name;
+  std::vector<std::string> streams;  // that it sends
 };
-const Row kRows[] = {{"triangle_setup", {"setup", "attributes"}},
-                     {"visible_select", {"visible_attributes"}},
-                     {"light_vertex", {"colours"}},
-                     {"shade_setup", {"planes"}},
-                     {"phong_setup", {"planes"}},
-                     {"raster_pineda", {"triangle_depth", "stamp"}},
-                     {"ztest_index", {"update", "visible"}},
-                     {"ztest_plane", {"update", "visible"}},
-                     {"scan_index", {"scan"}},
-                     {"shade_gouraud", {"pixel"}},
-                     {"shade_phong", {"pixel"}}};
 
-// Whether a configuration has the unit.
-bool has_unit(const Config& config, const std::string& unit) {
-  if (unit == "ztest_index") return !tests_planes(config);
-  if (unit == "ztest_plane") return tests_planes(config);
-  if (unit == "visible_select") return is_deferred(config);
-  if (unit == "light_vertex") return has_lighting(config) && !is_phong(config);
-  if (unit == "shade_setup" || unit == "shade_gouraud") return !is_phong(config);
-  if (unit == "phong_setup" || unit == "shade_phong") return is_phong(config);
-  return true;
+// The units inside, in flow order.
+std::vector<Stage> stages_of(const std::vector<model::Layout>& layouts) {
+  std::vector<Stage> stages;
+  for (const model::Layout& layout : layouts) {
+    const std::string from = layout.row.from;
+    if (from == "host" || from == "geometry") continue;
+    const auto is_it = [&](const Stage& stage) { return stage.name == from; };
+    auto found = std::find_if(stages.begin(), stages.end(), is_it);
+    if (found == stages.end()) found = stages.insert(stages.end(), {from, {}});
+    found->streams.push_back(layout.stream);
+  }
+  return stages;
 }
 
 // words and mismatches of a stage in the co-simulation.
-std::pair<std::uint64_t, std::uint64_t> compared(const Json& cosim, const Row& row) {
+std::pair<std::uint64_t, std::uint64_t> compared(const Json& cosim, const Stage& stage) {
   std::uint64_t words = 0, mismatches = 0;
   for (const Json& run : cosim.value("runs", Json::array())) {
     for (const Json& stream : run["streams"]) {
-      for (const char* name : row.streams) {
-        if (stream["name"] != name) continue;
-        words += stream["words"].get<std::uint64_t>();
-        mismatches += stream["mismatches"].get<std::uint64_t>();
-      }
+      const std::string name = stream["name"];
+      if (std::find(stage.streams.begin(), stage.streams.end(), name) == stage.streams.end()) continue;
+      words += stream["words"].get<std::uint64_t>();
+      mismatches += stream["mismatches"].get<std::uint64_t>();
     }
   }
   return {words, mismatches};
@@ -111,30 +103,31 @@ std::string cycles_of(const Json& report, const std::string& unit) {
   return "–";
 }
 
-Json print_table(const Json& cosim, const Json& units, const model::Accuracy& a, const Config& config) {
+Json print_table(const Json& cosim, const Json& units, const model::Accuracy& a, const std::vector<Stage>& stages,
+                 bool has_depth) {
   // Column widths count characters: fmt pads by display width.
   fmt::print("\n{:<15} {:>10} {:>10}  {:<34} {:>7} {:>10}\n", "stage", "words", "mismatches",
              "error against the reference", "dB", "cycles");
   Json rows = Json::array();
-  for (const Row& row : kRows) {
-    if (!has_unit(config, row.stage)) continue;
-    const auto [words, mismatches] = compared(cosim, row);
+  for (const Stage& stage : stages) {
+    const auto [words, mismatches] = compared(cosim, stage);
     std::string error = "–", ratio = "–";
-    if (!std::strcmp(row.stage, "raster_pineda")) error = fmt::format("{} pixels of coverage", a.covered_differ);
-    if (!std::strncmp(row.stage, "ztest", 5)) {
+    if (stage.name == "raster_pineda") error = fmt::format("{} pixels of coverage", a.covered_differ);
+    if (stage.name.rfind("ztest", 0) == 0) {
       error = fmt::format("index {} pixels", a.index_differ);
-      if (has_depth(config)) {
+      if (has_depth) {
         error = fmt::format("depth {} LSB, {}", a.depth_largest, error);
         ratio = decibels(a.depth_psnr);
       }
     }
-    if (!std::strncmp(row.stage, "shade_", 6) && std::strcmp(row.stage, "shade_setup")) {
+    // The stage that sends the picture.
+    if (&stage == &stages.back()) {
       error = fmt::format("colour {} LSB of 8", a.colour_largest);
       ratio = decibels(a.psnr);
     }
-    fmt::print("{:<15} {:>10} {:>10}  {:<34} {:>7} {:>10}\n", row.stage, words, mismatches, error, ratio,
-               cycles_of(units, row.stage));
-    rows.push_back({{"stage", row.stage}, {"words", words}, {"mismatches", mismatches}, {"error", error}});
+    fmt::print("{:<15} {:>10} {:>10}  {:<34} {:>7} {:>10}\n", stage.name, words, mismatches, error, ratio,
+               cycles_of(units, stage.name));
+    rows.push_back({{"stage", stage.name}, {"words", words}, {"mismatches", mismatches}, {"error", error}});
   }
   for (const Json& run : cosim.value("runs", Json::array())) {
     fmt::print("{:<15} {:>10} {:>10}  {:<34} {:>7} {:>10}\n", "pipeline", run["words"].get<std::uint64_t>(),
@@ -156,7 +149,8 @@ int report(const ReportOptions& options) {
   }
   const ref::SnappedList& scene = loaded.list;
   const ref::Frame reference = reference_of(loaded);
-  const ref::Frame kernels = kernels_of(loaded, 16)->render(scene);
+  const auto engine = kernels_of(loaded, 16);
+  const ref::Frame kernels = engine->render(scene);
   const model::Accuracy a = model::accuracy(reference, kernels, scene.format.depth_bits);
   constexpr int kGain = 64;
 
@@ -179,7 +173,7 @@ int report(const ReportOptions& options) {
   picture(fmt::format("difference_x{}.png", kGain).c_str(),
           difference_picture(colour_picture(reference), colour_picture(kernels), kGain));
 
-  const Json rows = print_table(cosim, units, a, loaded.configuration.config());
+  const Json rows = print_table(cosim, units, a, stages_of(engine->layouts()), has_depth);
   write_json(options.json, {{"scene", options.input.scene},
                             {"config", scene.format.name},
                             {"accuracy", to_json(a)},
