@@ -37,15 +37,15 @@ class RuntimeProbe : public KernelProbe {
       t.g[v] = from_raw<typename F::Colour>(in.rgb[v][1]);
       t.b[v] = from_raw<typename F::Colour>(in.rgb[v][2]);
     }
-    triangle_.write(t);
-    triangle_setup(frame_, triangle_, setup_out_, attributes_);
-    setup_ = setup_out_.read();
+    s_.triangle.write(t);
+    triangle_setup(frame_, s_.triangle, s_.setup, s_.attributes);
+    setup_ = s_.setup.read();
     if (raw(setup_.empty)) return {};
     if (F::kPhong) return plain(area_reciprocal<F>(order_vertices<F>(t).area), normal_planes(in));
     set_colours(t);
-    const Planes<F> planes = planes_.read();
-    planes_.write(planes);
-    store_planes(planes_, *database_);
+    const Planes<F> planes = s_.planes.read();
+    s_.planes.write(planes);
+    store_planes(s_.planes, *database_);
     return plain(area_reciprocal<F>(order_vertices<F>(t).area), planes);
   }
 
@@ -53,23 +53,23 @@ class RuntimeProbe : public KernelProbe {
     F::activate(config_, table_);
     std::vector<ProbedPixel> out;
     if (raw(setup_.empty)) return out;
-    setup_out_.write(setup_);
-    raster_pineda(frame_, setup_out_, stamp_, triangle_depth_, visits_);
-    if (F::kTestsPlanes) triangle_depth_.read();
-    while (!stamp_.empty()) {
-      const Stamp<F> s = stamp_.read();
+    s_.setup.write(setup_);
+    raster_pineda(frame_, s_.setup, s_.stamp, s_.triangle_depth, s_.visits);
+    if (F::kTestsPlanes) s_.triangle_depth.read();
+    while (!s_.stamp.empty()) {
+      const Stamp<F> s = s_.stamp.read();
       Scan<F> scan{};
       scan.x = s.x;
       scan.y = s.y;
       for (int l = 0; l < F::kLanes; ++l) scan.index[l] = from_raw<typename F::Index>(raw(s.mask[l]));
-      scan_.write(scan);
+      s_.scan.write(scan);
       if (F::kPhong) {
-        scan_.read();
+        s_.scan.read();
         push_normals(s, out);
         continue;
       }
-      shade_gouraud(frame_, scan_, *database_, pixel_);
-      const Pixel<F> p = pixel_.read();
+      shade_gouraud(frame_, s_.scan, *database_, s_.pixel);
+      const Pixel<F> p = s_.pixel.read();
       for (int l = 0; l < F::kLanes; ++l) {
         if (!raw(s.mask[l])) continue;
         out.push_back({int(raw(s.x)) * F::kLanesX + l % F::kLanesX,
@@ -84,11 +84,11 @@ class RuntimeProbe : public KernelProbe {
  private:
   // The attributes' planes: colours come with them, or as those of a triangle that was lit.
   void set_colours(const Triangle<F>& in) {
-    if (!F::kHasLighting) return shade_setup(attributes_, planes_);
+    if (!F::kHasLighting) return shade_setup(s_.attributes, s_.planes);
     Colours<F> colours{};
     for (int v = 0; v < 3; ++v) colours.r[v] = in.r[v], colours.g[v] = in.g[v], colours.b[v] = in.b[v];
-    colours_.write(colours);
-    shade_setup(attributes_, colours_, planes_);
+    s_.colours.write(colours);
+    shade_setup(s_.attributes, s_.colours, s_.planes);
   }
 
   NormalPlanes<F> normal_planes(const ref::SnappedTriangle& in) {
@@ -100,9 +100,9 @@ class RuntimeProbe : public KernelProbe {
       normals.y[v] = from_raw<typename F::Normal>(normal_of_colour(config_, in.rgb[v][1]) - offset);
       normals.z[v] = from_raw<typename F::Normal>(normal_of_colour(config_, in.rgb[v][2]) - offset);
     }
-    normals_.write(normals);
-    phong_setup(attributes_, normals_, normal_planes_out_);
-    return normal_planes_ = normal_planes_out_.read();
+    s_.normals.write(normals);
+    phong_setup(s_.attributes, s_.normals, s_.normal_planes);
+    return normal_planes_ = s_.normal_planes.read();
   }
 
   void push_normals(const Stamp<F>& s, std::vector<ProbedPixel>& out) const {
@@ -150,19 +150,8 @@ class RuntimeProbe : public KernelProbe {
   Frame<F> frame_;
   Setup<F> setup_{};
   std::unique_ptr<ShadingDatabase<F>> database_;
-  Stream<Triangle<F>> triangle_;
-  Stream<Setup<F>> setup_out_;
-  Stream<Attributes<F>> attributes_;
-  Stream<Planes<F>> planes_;
-  Stream<Normals<F>> normals_;
-  Stream<Colours<F>> colours_;
-  Stream<NormalPlanes<F>> normal_planes_out_;
+  Streams<F> s_;
   NormalPlanes<F> normal_planes_{};
-  Stream<Stamp<F>> stamp_;
-  Stream<TriangleDepth<F>> triangle_depth_;
-  Stream<Scan<F>> scan_;
-  Stream<Pixel<F>> pixel_;
-  Probe<int> visits_;
 };
 
 }  // namespace
