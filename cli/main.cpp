@@ -117,6 +117,7 @@ int main(int argc, char** argv) {
   halfspace::cli::add_vectors(app, status);
   halfspace::cli::add_compare(app, status);
   halfspace::cli::add_config(app, status);
+  halfspace::cli::add_streams(app, status);
   halfspace::cli::add_fit(app, status);
   halfspace::cli::add_package(app, status);
   halfspace::cli::add_bounds(app, status);

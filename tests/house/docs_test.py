@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The documentation says what the program says: the table of widths, and every path that a document names.
-Usage: docs_test.py HALFSPACE ROOT"""
+"""The documentation says what the program says: the tables of widths and of streams, and every path that a
+document names. Usage: docs_test.py HALFSPACE ROOT"""
 import pathlib
 import re
 import subprocess
@@ -18,6 +18,11 @@ def main():
     if not found or found.group(1) != table or len(table.splitlines()) < 30:
         faults.append("docs/configurations.md: its widths are not what `halfspace config --markdown` prints: "
                       "put that between the marks")
+    streams = subprocess.run([halfspace, "streams", "--markdown"], capture_output=True, text=True, check=True).stdout
+    found = re.search(r"<!-- streams -->\n(.*?)<!-- /streams -->", (root / "docs/architecture.md").read_text(), re.DOTALL)
+    if not found or found.group(1) != streams or len(streams.splitlines()) < 30:
+        faults.append("docs/architecture.md: its streams are not what `halfspace streams --markdown` prints: "
+                      "put that between the marks")
     if (root / "hls/formats/configs/middle.toml").read_text() not in text:
         faults.append("docs/configurations.md: its example is not hls/formats/configs/middle.toml")
     links = 0
@@ -31,7 +36,7 @@ def main():
                 faults.append(f"{document.relative_to(root)}: links to {target}, which is not there")
     if links < 10:
         faults.append(f"only {links} links were found: is {root} the project?")
-    print("\n".join(faults) or f"docs: widths as printed, {links} links lead somewhere")
+    print("\n".join(faults) or f"docs: widths and streams as printed, {links} links lead somewhere")
     return 1 if faults else 0
 
 
