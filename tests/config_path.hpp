@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "model/formats/configuration.hpp"
+
 namespace halfspace {
 
 // HALFSPACE_SOURCE is the folder of the sources.
@@ -16,6 +18,9 @@ inline std::string config_path(const std::string& name) {
   }
   throw std::runtime_error("tests/configs: there is no " + name + ".toml");
 }
+
+// One that a test has compiled, as the model takes it.
+inline model::Configuration configuration_of(const Config& config) { return model::Configuration(config.name, config); }
 
 }  // namespace halfspace
 

@@ -21,8 +21,6 @@ namespace halfspace::tests {
 
 constexpr double kTiny = 1e-9;  // of doubles, pixels
 
-inline model::Configuration configuration_of(const Config& config) { return model::Configuration(config.name, config); }
-
 // What the kernels made of a frame.
 struct Field {
   ref::SnappedList list;

@@ -9,6 +9,7 @@
 #include "model/shade/frame_lighting.hpp"
 #include "ref/error.hpp"
 #include "ref/scene/scene.hpp"
+#include "tests/config_path.hpp"
 #include "tests/shade/lit_configs.hpp"
 #include "vectors/frames/awkward.hpp"
 #include "vectors/frames/frame_builder.hpp"
@@ -17,8 +18,6 @@ namespace halfspace::tests {
 namespace {
 
 using model::Configuration;
-
-Configuration configuration_of(const Config& config) { return Configuration(config.name, config); }
 
 // The same formats, and triangles that come with their colours.
 Config unlit(Config config) {

@@ -11,14 +11,13 @@
 #include "ref/error.hpp"
 #include "ref/geometry/surface.hpp"
 #include "ref/raster/architecture.hpp"
+#include "tests/config_path.hpp"
 #include "tests/texture/texture_exact.hpp"
 #include "tests/texture/texture_kernels.hpp"
 #include "tests/texture/textured_configs.hpp"
 
 namespace halfspace::tests {
 namespace {
-
-model::Configuration configuration_of(const Config& config) { return model::Configuration(config.name, config); }
 
 // Waves, or noise.
 ref::Texture made_texture(const std::string& name, int width, int height, bool noise) {
