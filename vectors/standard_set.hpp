@@ -13,8 +13,8 @@ namespace halfspace::model {
 
 std::vector<NamedFrame> corner_frames(const ref::RasterFormat& format);
 
-// `frames` frames of `triangles` triangles each, of mixed kinds and sizes, from `seed`.
-std::vector<NamedFrame> random_frames(const ref::RasterFormat& format, std::uint64_t seed, int frames, int triangles);
+// `count` frames of `triangles` triangles each, of mixed kinds and sizes, from `seed`.
+std::vector<NamedFrame> random_frames(const ref::RasterFormat& format, std::uint64_t seed, int count, int triangles);
 
 }  // namespace halfspace::model
 

@@ -26,7 +26,7 @@ class Maker {
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x) {
         out.face.push_back(
-            std::uint32_t(one_in(12) ? some_face() : faces[std::size_t(y / patch * columns + x / patch)]));
+            std::uint32_t(one_in(12) ? some_face() : faces[std::size_t(y / patch) * columns + x / patch]));
         std::array<std::uint8_t, 3>& rgb = out.rgb.emplace_back();
         for (auto& channel : rgb) channel = std::uint8_t(extreme ? below(2) * most : below(most + 1));
       }

@@ -17,7 +17,8 @@ ref::TriangleList finer_than_the_grid(const RasterFormat& format) {
   const double step = std::ldexp(1, -format.subpixel_bits - 1);  // half a sub-pixel
   const double hair = std::ldexp(1, -format.subpixel_bits - 20);
   for (int n = 0; n < 9; ++n) {
-    const double beside = (n / 3 - 1) * step + (n % 3 - 1) * hair;
+    const int steps = n / 3 - 1, hairs = n % 3 - 1;
+    const double beside = steps * step + hairs * hair;
     for (int row = 0; row < 4; ++row) {
       // Two with vertices near centres, two near the first grid line beside one, where a tie goes away from the centre.
       const double x = 4 * n + 0.5 + beside + (row % 2) * 2 * step, y = 6 * row + 0.5 + beside + (row % 2) * 2 * step;
