@@ -19,7 +19,8 @@ def main():
         faults.append("docs/configurations.md: its widths are not what `halfspace config --markdown` prints: "
                       "put that between the marks")
     streams = subprocess.run([halfspace, "streams", "--markdown"], capture_output=True, text=True, check=True).stdout
-    found = re.search(r"<!-- streams -->\n(.*?)<!-- /streams -->", (root / "docs/architecture.md").read_text(), re.DOTALL)
+    architecture = (root / "docs/architecture.md").read_text()
+    found = re.search(r"<!-- streams -->\n(.*?)<!-- /streams -->", architecture, re.DOTALL)
     if not found or found.group(1) != streams or len(streams.splitlines()) < 30:
         faults.append("docs/architecture.md: its streams are not what `halfspace streams --markdown` prints: "
                       "put that between the marks")
