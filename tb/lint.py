@@ -32,10 +32,10 @@ def lint(args, package, top, lanes):
     return output if result.returncode or output.strip() else ""
 
 
-def tops_of(package):
-    """The units of a configuration, and the pipeline."""
+def tops_of(package, chosen):
+    """The chosen units that a configuration has, and the pipeline, which has most of the others in it."""
     numbers = constants(package.read_text())
-    return [f"hs_{unit}" for unit in units() if has(unit, numbers)] + ["hs_pipeline"]
+    return [f"hs_{unit}" for unit in chosen if has(unit, numbers)] + ["hs_pipeline"]
 
 
 def lanes_of(module, package):
@@ -49,6 +49,8 @@ def main():
     parser.add_argument("--verilator", default="verilator", help="the program (default: %(default)s)")
     parser.add_argument("--package", type=pathlib.Path, action="append",
                         help="of a configuration (default: low, middle, high)")
+    parser.add_argument("--units", nargs="+", choices=units(), default=units(), metavar="UNIT",
+                        help="these alone, and the pipeline (default: all)")
     parser.add_argument("--rtl", type=pathlib.Path, default=RTL)
     args = parser.parse_args()
     packages = args.package or [args.rtl / "formats" / config / "hs_formats_pkg.sv" for config in CONFIGS]
@@ -57,7 +59,7 @@ def main():
     faults = [f"there is no module hs_{unit}" for unit in units() if f"hs_{unit}" not in known]
     faults += [f"no unit uses {path}: remove it, or add its unit to hls/units.txt"
                for stem, path in known.items() if stem not in seen]
-    todo = [(top, package, lanes) for package in packages for top in tops_of(package) if top in known
+    todo = [(top, package, lanes) for package in packages for top in tops_of(package, args.units) if top in known
             for lanes in lanes_of(known[top], package)]
     faults += [f"{top}, {package}, {lanes} lanes:\n{output}" for top, package, lanes in todo
                if (output := lint(args, package, top, lanes))]

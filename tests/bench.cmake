@@ -105,6 +105,8 @@ endfunction()
 # halfspace_lint(NAME UNITS unit … CONFIGS config …): lint.py with the packages of these configurations.
 function(halfspace_lint name)
   cmake_parse_arguments(PARSE_ARGV 1 L "" "" "UNITS;CONFIGS")
+  set(units ${L_UNITS})
+  list(REMOVE_ITEM units pipeline)
   set(packages "")
   set(targets "")
   foreach(config IN LISTS L_CONFIGS)
@@ -114,7 +116,7 @@ function(halfspace_lint name)
   endforeach()
   halfspace_add_test(NAME ${name} WORLD rtl UNITS ${L_UNITS} BUILDS ${targets}
     COMMAND $<TARGET_FILE:Python3::Interpreter> ${PROJECT_SOURCE_DIR}/tb/lint.py --verilator ${HALFSPACE_VERILATOR}
-      ${packages})
+            --units ${units} ${packages})
 endfunction()
 
 # halfspace_faults(NAME FAULTS CONFIG [SCENE scene] UNITS unit …): that the benches of these with four lanes find each
