@@ -8,7 +8,7 @@
 #include "cli/commands.hpp"
 #include "model/formats/configuration.hpp"
 #include "model/formats/format_fields.hpp"
-#include "model/pipeline/package.hpp"
+#include "model/package/package.hpp"
 #include "vectors/staging.hpp"
 
 namespace halfspace::cli {

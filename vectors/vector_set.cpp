@@ -119,7 +119,7 @@ std::string write_streams(const std::string& folder, const VectorSetOptions& opt
                    {"frames", described},
                    {"streams", streams}};
   if (options.window != 0) manifest["window"] = options.window;
-  const std::string text = manifest.dump(1) + "\n";
+  std::string text = manifest.dump(1) + "\n";
   staged.write("manifest.json", text);
   staged.commit();
   return text;

@@ -12,7 +12,7 @@
 #include <sstream>
 
 #include "cli/common/files.hpp"
-#include "model/pipeline/package.hpp"
+#include "model/package/package.hpp"
 #include "ref/error.hpp"
 #include "vectors/staging.hpp"
 

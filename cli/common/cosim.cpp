@@ -10,7 +10,7 @@
 
 #include "cli/common/files.hpp"
 #include "cli/common/shell.hpp"
-#include "model/pipeline/package.hpp"
+#include "model/package/package.hpp"
 #include "ref/error.hpp"
 #include "vectors/staging.hpp"
 

@@ -44,9 +44,9 @@ SnappedTriangle TriangleSource::next(TriangleClass kind) {
   auto place = [&](int v, std::int64_t x, std::int64_t y) { t.x[v] = clamped(x), t.y[v] = clamped(y); };
   for (int v = 0; v < 3; ++v) {
     const std::int64_t spread = kind == TriangleClass::kSmall ? 8 * one : 60 * one;
+    const bool is_everywhere = kind == TriangleClass::kHuge || kind == TriangleClass::kGuardBandSliver;
     if (kind == TriangleClass::kFrameSliver) place(v, in(0, w), in(0, h));
-    else if (kind == TriangleClass::kHuge) place(v, in(-limit, limit), in(-limit, limit));
-    else if (kind == TriangleClass::kGuardBandSliver) place(v, in(-limit, limit), in(-limit, limit));
+    else if (is_everywhere) place(v, in(-limit, limit), in(-limit, limit));
     else place(v, cx + in(-spread, spread), cy + in(-spread, spread));
     t.depth[v] = any_value(config_.depth_bits);
     for (auto& value : t.rgb[v]) value = std::uint8_t(any_value(config_.colour_bits));

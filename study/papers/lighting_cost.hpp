@@ -14,7 +14,7 @@ namespace halfspace::model {
 struct Operations {
   int multiplications, additions, reciprocal_roots;
   constexpr std::uint64_t cost() const {
-    return std::uint64_t(2 * multiplications + additions + 16 * reciprocal_roots);
+    return 2 * std::uint64_t(multiplications) + std::uint64_t(additions) + 16 * std::uint64_t(reciprocal_roots);
   }
 };
 constexpr Operations kViewing{12, 9, 0}, kPerspective{5, 1, 0},

@@ -6,8 +6,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "model/package/package.hpp"
 #include "model/pipeline/engine_impl.hpp"
-#include "model/pipeline/package.hpp"
 #include "ref/error.hpp"
 #include "study/trade/accuracy.hpp"
 #include "tests/config_path.hpp"

@@ -16,7 +16,7 @@ FLOORS = {"ref": "", "hls": "", "tb": "", "model": "ref hls", "vectors": "model 
 # are one. `.hpp` and `.cpp`: files in no room. What a floor has no order of is not held.
 ROOMS = {"ref": ".hpp scene+builtin geometry raster objects motion",
          "hls": "numbers formats setup raster ztest shade texture motion objects pipeline top",
-         "model": "formats texture shade motion objects pipeline drivers",
+         "model": "formats texture shade motion objects pipeline package drivers",
          "vectors": "frames .hpp+.cpp",
          "study": "proofs bounds stability trade fit papers",
          "cli": ".hpp common plots sweep+repro .cpp",

@@ -35,13 +35,18 @@ def for_clang(command):
 
 
 def commands(root, build):
-    """{file: entry} of what is compiled below the root and is not printed into the build folder; one entry a file."""
+    """{file: entry} of what is compiled below the root and is not printed into the build folder; one entry a file, also
+    where CMake compiles several as one."""
     entries = {}
     for entry in json.loads((build / "compile_commands.json").read_text()):
         path = pathlib.Path(entry["file"]).resolve()
-        if root in path.parents and build not in path.parents:
-            entries.setdefault(path, {"directory": entry["directory"], "file": str(path),
-                                      "arguments": for_clang(entry["command"])})
+        paths = [path]
+        if path.name.startswith("unity_") and path.exists():
+            paths = [pathlib.Path(name).resolve() for name in re.findall(r'^#include "(.+)"', path.read_text(), re.M)]
+        for own in paths:
+            if root in own.parents and build not in own.parents:
+                words = for_clang(entry["command"].replace(entry["file"], str(own)))
+                entries.setdefault(own, {"directory": entry["directory"], "file": str(own), "arguments": words})
     return entries
 
 

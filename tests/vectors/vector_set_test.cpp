@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "model/package/package.hpp"
 #include "model/pipeline/engine.hpp"
-#include "model/pipeline/package.hpp"
 #include "ref/error.hpp"
 #include "vectors/dump.hpp"
 #include "vectors/standard_set.hpp"

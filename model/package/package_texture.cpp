@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hls/texture/reciprocal_lookup.hpp"
-#include "model/pipeline/package_writer.hpp"
+#include "model/package/package_writer.hpp"
 
 namespace halfspace::model {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/pipeline/package_writer.hpp"
+#include "model/package/package_writer.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The text of a package of formats, a declaration after the other; each room's are in a file of their own.
-#ifndef HALFSPACE_MODEL_PIPELINE_PACKAGE_WRITER_HPP_
-#define HALFSPACE_MODEL_PIPELINE_PACKAGE_WRITER_HPP_
+#ifndef HALFSPACE_MODEL_PACKAGE_PACKAGE_WRITER_HPP_
+#define HALFSPACE_MODEL_PACKAGE_PACKAGE_WRITER_HPP_
 
 #include <cstdint>
 #include <string>
@@ -64,4 +64,4 @@ void add_motion(PackageWriter&);
 
 }  // namespace halfspace::model
 
-#endif  // HALFSPACE_MODEL_PIPELINE_PACKAGE_WRITER_HPP_
+#endif  // HALFSPACE_MODEL_PACKAGE_PACKAGE_WRITER_HPP_

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hls/motion/key_filter.hpp"
-#include "model/pipeline/package_writer.hpp"
+#include "model/package/package_writer.hpp"
 
 namespace halfspace::model {
 namespace {

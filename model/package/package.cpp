@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/pipeline/package.hpp"
+#include "model/package/package.hpp"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 #include "hls/formats/setup_interval.hpp"
 #include "model/motion/compensation.hpp"
 #include "model/objects/merge.hpp"
+#include "model/package/package_writer.hpp"
 #include "model/pipeline/engine.hpp"
-#include "model/pipeline/package_writer.hpp"
 
 namespace halfspace::model {
 namespace {

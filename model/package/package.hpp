@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The SystemVerilog package of a configuration, printed from the format table and the records.
-#ifndef HALFSPACE_MODEL_PIPELINE_PACKAGE_HPP_
-#define HALFSPACE_MODEL_PIPELINE_PACKAGE_HPP_
+#ifndef HALFSPACE_MODEL_PACKAGE_PACKAGE_HPP_
+#define HALFSPACE_MODEL_PACKAGE_PACKAGE_HPP_
 
 #include <string>
 
@@ -14,4 +14,4 @@ std::string formats_package(const Configuration&);
 
 }  // namespace halfspace::model
 
-#endif  // HALFSPACE_MODEL_PIPELINE_PACKAGE_HPP_
+#endif  // HALFSPACE_MODEL_PACKAGE_PACKAGE_HPP_
