@@ -101,7 +101,8 @@ StabilityStudy stability_study(const Config& config, const StabilityOptions& opt
 
   // A quarter of a pixel, where the grid has it.
   const int smallest = std::max(-2, 1 - config.subpixel_bits);
-  const std::size_t total = std::size_t(options.largest_aspect + 1 + config.range_bits - smallest + 1);
+  const int shapes = options.largest_aspect + 1 + config.range_bits - smallest + 1;
+  const std::size_t total = std::size_t(shapes);
   ShapeSource source(config, options.seed);
   Meter meter(config);
   auto run = [&](int log2, bool aspect) {
