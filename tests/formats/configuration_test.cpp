@@ -2,8 +2,10 @@
 // Configurations: files, headers and refusals; and the kernels with formats read at run time against the compiled ones.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <random>
+#include <set>
 #include <sstream>
 
 #include "model/formats/format_fields.hpp"
@@ -104,6 +106,32 @@ TEST(Configuration, AtRunTimeGivesTheBitsOfTheCompiledKernels) {
       EXPECT_GT(streams.size(), 100000u);
       EXPECT_TRUE(streams == streams_of(*runtime, frames));
     }
+  }
+}
+
+// In every configuration of the tests a number that is more than it may be is refused, and so is one of what is not
+// there. Each is refused with its limits in some of them.
+TEST(Configuration, HoldsEveryNumberToItsLimits) {
+  std::set<std::string> held;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(HALFSPACE_SOURCE "/tests/configs")) {
+    if (entry.path().extension() != ".toml") continue;
+    const Configuration file = model::find_configuration(entry.path());
+    EXPECT_EQ(text_of(entry.path()), model::configuration_toml(file)) << "run `halfspace config FILE --toml FILE`";
+    for (const model::ConfigField& field : model::config_fields()) {
+      if (!field.is_number()) continue;
+      SCOPED_TRACE(file.name() + ": " + field.name);
+      Config c = file.config();
+      const bool is_idle = !has_part(field.part, c) && !field.allowed.is_optional;
+      field.set(c, is_idle ? field.allowed.high : field.allowed.high + 1);
+      const Refusal reason = refusal(c);
+      EXPECT_NE(reason, Refusal::kNone);
+      if (reason != field.refused) continue;
+      EXPECT_NE(model::refusal_text(reason).find(field.name), std::string::npos) << model::refusal_text(reason);
+      held.insert(field.name);
+    }
+  }
+  for (const model::ConfigField& field : model::config_fields()) {
+    EXPECT_EQ(held.count(field.name), field.is_number() ? 1u : 0u) << field.name;
   }
 }
 
