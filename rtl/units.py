@@ -87,6 +87,14 @@ def parameters(module, lanes, numbers):
     return given
 
 
+def yosys_elaborate(top, read, given):
+    """Commands of Yosys that read these files and elaborate the module with these parameters. They are set before: with
+    the option of `hierarchy` Yosys 0.23 makes a module of a loop twice, and gives up."""
+    files = " ".join(f'"{path}"' for path in read)
+    chosen = " ".join(f"-set {name} {value}" for name, value in given.items())
+    return f"read_verilog -sv {files}; {f'chparam {chosen} {top}; ' if given else ''}hierarchy -check -top {top}; proc; opt"
+
+
 def main():
     numbers = constants(pathlib.Path(sys.argv[1]).read_text())
     print("\n".join(unit for unit in units() if has(unit, numbers) and unit not in BESIDE))

@@ -21,7 +21,7 @@ import sys
 
 TB = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(TB.parent / "rtl"))
-from units import CONFIG, LANES, RTL, below, constants, parameters  # noqa: E402
+from units import CONFIG, LANES, RTL, below, constants, parameters, yosys_elaborate  # noqa: E402
 
 PORT = re.compile(r"^\s*VL_(IN|OUT)(?:8|16|64|W)?\(&?(\w+),(\d+),(\d+)")
 # The instance u_stream_<name>, inside of generate blocks, too, which a netlist has in its name: `.` is 02e there.
@@ -64,12 +64,9 @@ def watches(header, of_ports):
 def netlist_of(read, top, given, out, yosys):
     """What Yosys understands of the sources, written out as Verilog. The memories of the pipeline have to be
     memories."""
-    files = " ".join(f'"{path}"' for path in read)
-    chosen = " ".join(f"-chparam {name} {value}" for name, value in given.items())
     memories = "select -assert-min 6 */t:$mem_v2; " if top == "hs_pipeline" else ""
-    run([yosys, "-q", "-p",
-         f"read_verilog -sv {files}; hierarchy -check -top {top} {chosen}; proc; opt; memory_collect; check -assert; "
-         f'{memories}chformal -remove; opt_clean; write_verilog -noattr "{out}"'], "yosys")
+    run([yosys, "-q", "-p", f"{yosys_elaborate(top, read, given)}; memory_collect; check -assert; {memories}"
+         f'chformal -remove; opt_clean; write_verilog -noattr "{out}"'], "yosys")
 
 
 def verilate(package, top, lanes, out, rtl=RTL, verilator="verilator", yosys=None):

@@ -7,19 +7,17 @@ import subprocess
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "rtl"))
-from units import below, constants, parameters  # noqa: E402
+from units import below, constants, parameters, yosys_elaborate  # noqa: E402
 
 
 def main():
     yosys, package, top, lanes, *finds = sys.argv[1:]
     sources = below(top)
     given = parameters(sources[top].read_text(), int(lanes), constants(pathlib.Path(package).read_text()))
-    files = " ".join(f'"{path}"' for path in [package, *sources.values()])
-    chosen = " ".join(f"-chparam {name} {value}" for name, value in given.items())
     finds = "; ".join(f"select {find}" for find in [*finds, "-assert-none t:$div t:$mod"])
-    return subprocess.run([yosys, "-q", "-p",
-                           f"read_verilog -sv {files}; hierarchy -check -top {top} {chosen}; proc; opt; check -assert; "
-                           f"flatten; opt; memory_collect; {finds}"]).returncode
+    script = (f"{yosys_elaborate(top, [package, *sources.values()], given)}; check -assert; flatten; opt; memory_collect; "
+              f"{finds}")
+    return subprocess.run([yosys, "-q", "-p", script], check=False).returncode
 
 
 if __name__ == "__main__":
