@@ -92,7 +92,8 @@ def yosys_elaborate(top, read, given):
     the option of `hierarchy` Yosys 0.23 makes a module of a loop twice, and gives up."""
     files = " ".join(f'"{path}"' for path in read)
     chosen = " ".join(f"-set {name} {value}" for name, value in given.items())
-    return f"read_verilog -sv {files}; {f'chparam {chosen} {top}; ' if given else ''}hierarchy -check -top {top}; proc; opt"
+    chparam = f"chparam {chosen} {top}; " if given else ""
+    return f"read_verilog -sv {files}; {chparam}hierarchy -check -top {top}; proc; opt"
 
 
 def main():

@@ -15,8 +15,8 @@ def main():
     sources = below(top)
     given = parameters(sources[top].read_text(), int(lanes), constants(pathlib.Path(package).read_text()))
     finds = "; ".join(f"select {find}" for find in [*finds, "-assert-none t:$div t:$mod"])
-    script = (f"{yosys_elaborate(top, [package, *sources.values()], given)}; check -assert; flatten; opt; memory_collect; "
-              f"{finds}")
+    script = (f"{yosys_elaborate(top, [package, *sources.values()], given)}; check -assert; flatten; opt; "
+              f"memory_collect; {finds}")
     return subprocess.run([yosys, "-q", "-p", script], check=False).returncode
 
 
