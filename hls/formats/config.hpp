@@ -33,7 +33,7 @@ struct Config {
   const char* name;
 #define HS_NUMBER(part, field, is_there, allowed, refused, what) int field = 0;
 #define HS_CHOICE(part, field, Type, what, ...) Type field = Type(0);
-#include "hls/formats/config_list.hpp"
+#include "hls/formats/lists/config_list.hpp"
 };
 
 constexpr bool always(const Config&) { return true; }

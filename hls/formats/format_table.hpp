@@ -15,7 +15,7 @@ struct NumberFormat {
 
 struct FormatTable {
 #define HS_FORMAT(part, member, Type, is_used, why) NumberFormat member;
-#include "hls/formats/format_list.hpp"
+#include "hls/formats/lists/format_list.hpp"
 };
 
 // The types that plane_setup takes of a channel, for a view of the table that has its formats as types.

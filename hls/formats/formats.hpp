@@ -31,7 +31,7 @@ constexpr FormatTable format_table(const Config& c) {
   t.channel##_numerator = formats.numerator;                                        \
   t.channel##_start = formats.start;                                                \
   t.channel##_start_gradient = formats.start_gradient;
-#include "hls/formats/format_list.hpp"
+#include "hls/formats/lists/format_list.hpp"
   return t;
 }
 
@@ -47,7 +47,7 @@ struct Formats : StampConstants<S> {
 #define HS_FLAG(Type, Name, function) static constexpr Type k##Name = function(config());
 #define HS_CONSTANT(Name, field) static constexpr decltype(Config::field) k##Name = config().field;
 #define HS_COMPILES(Unit, Name) using Compiles##Unit = std::integral_constant<bool, k##Name>;
-#include "hls/formats/constant_list.hpp"
+#include "hls/formats/lists/constant_list.hpp"
 
   static constexpr int kStampsX = stamps_for(kWidth, S::kX);  // also the pitch of the buffers
   static constexpr int kStampsY = stamps_for(kHeight, S::kY);
@@ -55,9 +55,9 @@ struct Formats : StampConstants<S> {
 
 #define HS_FORMAT(part, member, Type, is_used, why) \
   using Type = Fixed<table().member.width, table().member.integer, table().member.is_signed>;
-#include "hls/formats/format_list.hpp"
+#include "hls/formats/lists/format_list.hpp"
 #define HS_CHANNEL(part, vertex, Vertex, channel, Channel, is_used, bits, fraction) HS_CHANNEL_TYPES(Vertex, Channel)
-#include "hls/formats/format_list.hpp"
+#include "hls/formats/lists/format_list.hpp"
 };
 
 }  // namespace halfspace

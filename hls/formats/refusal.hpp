@@ -14,7 +14,7 @@ enum class Refusal {
   kNone,
 #define HS_LIMIT(name, more) name,
 #define HS_REFUSAL(name, sentence) name,
-#include "hls/formats/refusal_list.hpp"
+#include "hls/formats/lists/refusal_list.hpp"
 };
 
 // What a number may be.
@@ -60,7 +60,7 @@ constexpr Refusal field_refusal(const Config& c) {
   if (is_there(c) && !allows(allowed, c.field)) return Refusal::refused;
 #define HS_CHOICE(part, field, Type, what, ...) \
   if (!has_part(Part::part, c) && c.field != Type(0)) return idle_refusal(Part::part);
-#include "hls/formats/config_list.hpp"
+#include "hls/formats/lists/config_list.hpp"
   return Refusal::kNone;
 }
 

@@ -33,7 +33,7 @@ const std::vector<ConfigField>& config_fields() {
    #Type,                                        \
    [](const Config& c) { return int(c.field); }, \
    [](Config& c, int value) { c.field = Type(value); }},
-#include "hls/formats/config_list.hpp"
+#include "hls/formats/lists/config_list.hpp"
   };
   return fields;
 }

@@ -10,7 +10,7 @@ namespace halfspace::model {
 const std::vector<FormatField>& format_fields() {
   static const std::vector<FormatField> fields = {
 #define HS_FORMAT(part, member, Type, is_used, why) {Part::part, #member, &FormatTable::member, is_used, why},
-#include "hls/formats/format_list.hpp"
+#include "hls/formats/lists/format_list.hpp"
   };
   return fields;
 }
@@ -20,7 +20,7 @@ int kernel_constant(const Config& c, const std::string& name) {
   if (name == #Name) return int(function(c));
 #define HS_CONSTANT(Name, field) \
   if (name == #Name) return int(c.field);
-#include "hls/formats/constant_list.hpp"
+#include "hls/formats/lists/constant_list.hpp"
   throw std::logic_error("kernels know no constant " + name);
 }
 

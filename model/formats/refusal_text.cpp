@@ -55,7 +55,7 @@ std::string refusal_text(Refusal refusal) {
   if (refusal == Refusal::name) return fields_text(refusal) + (more);
 #define HS_REFUSAL(name, sentence) \
   if (refusal == Refusal::name) return sentence;
-#include "hls/formats/refusal_list.hpp"
+#include "hls/formats/lists/refusal_list.hpp"
   return "it is accepted";
 }
 

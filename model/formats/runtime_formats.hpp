@@ -23,23 +23,23 @@ struct RuntimeFormats : StampConstants<S> {
 #define HS_FLAG(Type, Name, function) static inline thread_local Type k##Name;
 #define HS_CONSTANT(Name, field) static inline thread_local decltype(Config::field) k##Name;
 #define HS_COMPILES(Unit, Name) using Compiles##Unit = std::true_type;
-#include "hls/formats/constant_list.hpp"
+#include "hls/formats/lists/constant_list.hpp"
   static inline thread_local int kStampsX, kStampsY, kStamps;
 
   static void activate(const Config& c, const FormatTable& table) {
     runtime_table = table;
 #define HS_FLAG(Type, Name, function) k##Name = function(c);
 #define HS_CONSTANT(Name, field) k##Name = c.field;
-#include "hls/formats/constant_list.hpp"
+#include "hls/formats/lists/constant_list.hpp"
     kStampsX = stamps_for(c.width, S::kX), kStampsY = stamps_for(c.height, S::kY);
     kStamps = kStampsX * kStampsY;
   }
 
 #define HS_FORMAT(part, member, Type, is_used, why) \
   using Type = RuntimeFixed<&FormatTable::member, kRuntimeSigns.member.is_signed>;
-#include "hls/formats/format_list.hpp"
+#include "hls/formats/lists/format_list.hpp"
 #define HS_CHANNEL(part, vertex, Vertex, channel, Channel, is_used, bits, fraction) HS_CHANNEL_TYPES(Vertex, Channel)
-#include "hls/formats/format_list.hpp"
+#include "hls/formats/lists/format_list.hpp"
 };
 
 // Buffers of the size that was active when they were made.

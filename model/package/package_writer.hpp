@@ -24,7 +24,7 @@ class PackageWriter {
   void line(const std::string& text) { text_ += text; }
 
   void number(const std::string& name, int value);
-  // Those of hls/formats/constant_list.hpp, by name.
+  // Those of hls/formats/lists/constant_list.hpp, by name.
   void constants(const std::vector<const char*>& names);
   // Fields of the configuration: depth_fraction is DepthFraction.
   void fields(const std::vector<const char*>& names);
