@@ -51,7 +51,7 @@ class Stream {
 
   T read() {
     assert(!empty() && "read from an empty stream");
-    const T value = queue_[head_];
+    T value = queue_[head_];
     if (++head_ == queue_.size()) {
       queue_.clear();
       head_ = 0;
