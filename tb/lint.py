@@ -33,9 +33,9 @@ def lint(args, package, top, lanes):
 
 
 def tops_of(package, chosen):
-    """The chosen units that a configuration has, and the pipeline, which has most of the others in it."""
+    """The chosen units that a configuration has; each has the pipeline, which has most of the others in it."""
     numbers = constants(package.read_text())
-    return [f"hs_{unit}" for unit in chosen if has(unit, numbers)] + ["hs_pipeline"]
+    return [f"hs_{unit}" for unit in chosen if unit == "pipeline" or has(unit, numbers)]
 
 
 def lanes_of(module, package):
@@ -49,8 +49,8 @@ def main():
     parser.add_argument("--verilator", default="verilator", help="the program (default: %(default)s)")
     parser.add_argument("--package", type=pathlib.Path, action="append",
                         help="of a configuration (default: low, middle, high)")
-    parser.add_argument("--units", nargs="+", choices=units(), default=units(), metavar="UNIT",
-                        help="these alone, and the pipeline (default: all)")
+    parser.add_argument("--units", nargs="+", choices=[*units(), "pipeline"], default=[*units(), "pipeline"],
+                        metavar="UNIT", help="these alone (default: all, and the pipeline)")
     parser.add_argument("--rtl", type=pathlib.Path, default=RTL)
     args = parser.parse_args()
     packages = args.package or [args.rtl / "formats" / config / "hs_formats_pkg.sv" for config in CONFIGS]

@@ -102,11 +102,12 @@ function(halfspace_units_file config lanes)
   endforeach()
 endfunction()
 
-# halfspace_lint(NAME UNITS unit … CONFIGS config …): lint.py with the packages of these configurations.
+# halfspace_lint(NAME UNITS unit … CONFIGS config …): lint.py with the packages of these configurations, a test for each
+# unit and one for the pipeline.
 function(halfspace_lint name)
   cmake_parse_arguments(PARSE_ARGV 1 L "" "" "UNITS;CONFIGS")
-  set(units ${L_UNITS})
-  list(REMOVE_ITEM units pipeline)
+  set(units ${L_UNITS} pipeline)
+  list(REMOVE_DUPLICATES units)
   set(packages "")
   set(targets "")
   foreach(config IN LISTS L_CONFIGS)
@@ -114,27 +115,40 @@ function(halfspace_lint name)
     list(APPEND packages --package ${package})
     list(APPEND targets ${package_target})
   endforeach()
-  halfspace_add_test(NAME ${name} WORLD rtl UNITS ${L_UNITS} BUILDS ${targets}
-    COMMAND $<TARGET_FILE:Python3::Interpreter> ${PROJECT_SOURCE_DIR}/tb/lint.py --verilator ${HALFSPACE_VERILATOR}
-            --units ${units} ${packages})
+  foreach(unit IN LISTS units)
+    halfspace_add_test(NAME ${name}_${unit} WORLD rtl UNITS ${unit} BUILDS ${targets}
+      COMMAND $<TARGET_FILE:Python3::Interpreter> ${PROJECT_SOURCE_DIR}/tb/lint.py --verilator ${HALFSPACE_VERILATOR}
+              --units ${unit} ${packages})
+  endforeach()
 endfunction()
 
 # halfspace_faults(NAME FAULTS CONFIG [SCENE scene] UNITS unit …): that the benches of these with four lanes find each
-# of tb/faults/FAULTS.txt.
+# of tb/faults/FAULTS.txt; a test for each unit that has faults there, NAME_UNIT, or NAME if it is one alone.
 function(halfspace_faults name faults config)
   cmake_parse_arguments(PARSE_ARGV 3 F "" "SCENE" "UNITS")
   if(NOT F_SCENE)
     set(F_SCENE standard)
   endif()
   halfspace_package(${config})
-  halfspace_add_test(NAME ${name} WORLD cosim UNITS ${F_UNITS} SERIAL SECONDS 1800
-    BUILDS halfspace halfspace_tb halfspace_verilated ${package_target}
-    COMMAND $<TARGET_FILE:Python3::Interpreter> ${PROJECT_SOURCE_DIR}/tb/faults/run.py --units ${F_UNITS}
-      --faults ${PROJECT_SOURCE_DIR}/tb/faults/${faults}.txt --config ${config_of_${config}} --scene ${F_SCENE}
-        --package ${package}
-      --halfspace $<TARGET_FILE:halfspace> --work ${CMAKE_CURRENT_BINARY_DIR}/${name} --jobs 2 --library
-        $<TARGET_FILE:halfspace_tb>
-      --library $<TARGET_FILE:halfspace_verilated> --verilator ${HALFSPACE_VERILATOR} --cxx ${CMAKE_CXX_COMPILER})
+  set(file ${PROJECT_SOURCE_DIR}/tb/faults/${faults}.txt)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+  file(STRINGS ${file} guilty REGEX "^unit ")
+  list(TRANSFORM guilty REPLACE "^unit +([a-z_]+).*" "\\1")
+  list(REMOVE_DUPLICATES guilty)
+  list(LENGTH guilty number)
+  foreach(unit IN LISTS guilty)
+    set(test ${name}_${unit})
+    if(number EQUAL 1)
+      set(test ${name})
+    endif()
+    halfspace_add_test(NAME ${test} WORLD cosim UNITS ${unit} SERIAL SECONDS 1800
+      BUILDS halfspace halfspace_tb halfspace_verilated ${package_target}
+      COMMAND $<TARGET_FILE:Python3::Interpreter> ${PROJECT_SOURCE_DIR}/tb/faults/run.py --units ${F_UNITS} --of ${unit}
+        --faults ${file} --config ${config_of_${config}} --scene ${F_SCENE} --package ${package}
+        --halfspace $<TARGET_FILE:halfspace> --work ${CMAKE_CURRENT_BINARY_DIR}/${test} --jobs 2
+        --library $<TARGET_FILE:halfspace_tb> --library $<TARGET_FILE:halfspace_verilated>
+        --verilator ${HALFSPACE_VERILATOR} --cxx ${CMAKE_CXX_COMPILER})
+  endforeach()
 endfunction()
 
 # halfspace_matrix(NAME SCRIPT UNITS unit … [LONG] CASES case … [OPTIONS option …]): a script that makes configurations,

@@ -90,8 +90,10 @@ def try_fault(args, fault):
     """Whether it passed, and a line that tells. No fault: the control run."""
     name = fault["name"] if fault else "control"
     guilty = fault["unit"].split() if fault else []
-    touched = [unit for unit in args.units
-               if not fault or fault["file"].removesuffix(".sv") in below(f"hs_{unit}", args.rtl)]
+    if fault:
+        touched = [unit for unit in args.units if fault["file"].removesuffix(".sv") in below(f"hs_{unit}", args.rtl)]
+    else:
+        touched = [args.of] if args.of else args.units
     work = args.work / name
     shutil.rmtree(work, ignore_errors=True)
     shutil.copytree(args.rtl, work / "rtl")
@@ -114,7 +116,7 @@ def try_fault(args, fault):
     seconds = time.monotonic() - start
     if not wrong and not args.keep:
         shutil.rmtree(work, ignore_errors=True)
-    where = " ".join(unit if unit in guilty else f"({unit})" for unit in touched) if fault else "all units"
+    where = " ".join(unit if unit in guilty else f"({unit})" for unit in touched) if fault else " ".join(touched)
     return not wrong, f"{'FAIL' if wrong else 'pass'}  {name:24} {where:27} {seconds:5.1f} s  {wrong or said}"
 
 
@@ -132,6 +134,7 @@ def main():
     parser.add_argument("--scene", default="standard", help="of the vectors (default: %(default)s)")
     parser.add_argument("--config", default="low", help="with --package: a .toml file")
     parser.add_argument("--units", nargs="+", required=True, help="units, or pipeline; those that the faults may reach")
+    parser.add_argument("--of", metavar="UNIT", help="the faults of this unit alone: whose `unit` it is, or the first one")
     parser.add_argument("--package", type=pathlib.Path, help="of a configuration that has none in rtl/")
     parser.add_argument("--lanes", type=int, default=4, choices=sorted(LANES))
     parser.add_argument("--jobs", type=int, default=1)
@@ -149,7 +152,8 @@ def main():
     except Broken as e:
         print(f"faults: {e}", file=sys.stderr)
         return 2
-    chosen = [None] + [fault for fault in faults if re.search(args.only or "", fault["name"])]
+    chosen = [None] + [fault for fault in faults if re.search(args.only or "", fault["name"])
+                       and args.of in (None, fault["unit"].split()[0])]
     passed = 0
     with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
         for good, text in pool.map(lambda fault: try_fault(args, fault), chosen):
