@@ -12,11 +12,11 @@
 #ifndef HALFSPACE_HLS_FORMATS_RECORDS_HPP_
 #define HALFSPACE_HLS_FORMATS_RECORDS_HPP_
 
-#include "hls/formats/frame_records.hpp"
-#include "hls/formats/motion_records.hpp"
-#include "hls/formats/raster_records.hpp"
-#include "hls/formats/setup_records.hpp"
-#include "hls/formats/shade_records.hpp"
-#include "hls/formats/texture_records.hpp"
+#include "hls/formats/records/frame.hpp"
+#include "hls/formats/records/motion.hpp"
+#include "hls/formats/records/raster.hpp"
+#include "hls/formats/records/setup.hpp"
+#include "hls/formats/records/shade.hpp"
+#include "hls/formats/records/texture.hpp"
 
 #endif  // HALFSPACE_HLS_FORMATS_RECORDS_HPP_

@@ -11,9 +11,9 @@
 #include "model/formats/stamps.hpp"
 #include "model/objects/object_records.hpp"
 #include "model/pipeline/engine.hpp"
-#include "model/pipeline/kernel_buffers.hpp"
-#include "model/pipeline/kernel_draw.hpp"
-#include "model/pipeline/kernel_scan.hpp"
+#include "model/pipeline/kernels/buffers.hpp"
+#include "model/pipeline/kernels/draw.hpp"
+#include "model/pipeline/kernels/scan.hpp"
 
 namespace halfspace::model {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The records of room motion that the pipeline has; those of motion_compensate are in key_records.hpp.
-#ifndef HALFSPACE_HLS_FORMATS_MOTION_RECORDS_HPP_
-#define HALFSPACE_HLS_FORMATS_MOTION_RECORDS_HPP_
+// The records of room motion that the pipeline has; those of motion_compensate are in hls/formats/key_records.hpp.
+#ifndef HALFSPACE_HLS_FORMATS_RECORDS_MOTION_HPP_
+#define HALFSPACE_HLS_FORMATS_RECORDS_MOTION_HPP_
 
-#include "hls/formats/frame_records.hpp"
+#include "hls/formats/records/frame.hpp"
 
 namespace halfspace {
 
@@ -145,4 +145,4 @@ struct Motion {
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_FORMATS_MOTION_RECORDS_HPP_
+#endif  // HALFSPACE_HLS_FORMATS_RECORDS_MOTION_HPP_

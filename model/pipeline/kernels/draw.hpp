@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Triangles of a frame into the kernels, as geometry sends them.
-#ifndef HALFSPACE_MODEL_PIPELINE_KERNEL_DRAW_HPP_
-#define HALFSPACE_MODEL_PIPELINE_KERNEL_DRAW_HPP_
+#ifndef HALFSPACE_MODEL_PIPELINE_KERNELS_DRAW_HPP_
+#define HALFSPACE_MODEL_PIPELINE_KERNELS_DRAW_HPP_
 
 #include <algorithm>
 #include <vector>
@@ -127,4 +127,4 @@ std::size_t draw(const ref::SnappedList& scene, const TriangleAnswers& answers, 
 
 }  // namespace halfspace::model
 
-#endif  // HALFSPACE_MODEL_PIPELINE_KERNEL_DRAW_HPP_
+#endif  // HALFSPACE_MODEL_PIPELINE_KERNELS_DRAW_HPP_

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The records of room shade: colours, normals and their planes, lights, and the stamps of scan-out.
-#ifndef HALFSPACE_HLS_FORMATS_SHADE_RECORDS_HPP_
-#define HALFSPACE_HLS_FORMATS_SHADE_RECORDS_HPP_
+#ifndef HALFSPACE_HLS_FORMATS_RECORDS_SHADE_HPP_
+#define HALFSPACE_HLS_FORMATS_RECORDS_SHADE_HPP_
 
-#include "hls/formats/frame_records.hpp"
+#include "hls/formats/records/frame.hpp"
 
 namespace halfspace {
 
@@ -148,4 +148,4 @@ struct Pixel {
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_FORMATS_SHADE_RECORDS_HPP_
+#endif  // HALFSPACE_HLS_FORMATS_RECORDS_SHADE_HPP_

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A finished frame out of the kernels, as a picture.
-#ifndef HALFSPACE_MODEL_PIPELINE_KERNEL_SCAN_HPP_
-#define HALFSPACE_MODEL_PIPELINE_KERNEL_SCAN_HPP_
+#ifndef HALFSPACE_MODEL_PIPELINE_KERNELS_SCAN_HPP_
+#define HALFSPACE_MODEL_PIPELINE_KERNELS_SCAN_HPP_
 
 #include <algorithm>
 #include <array>
@@ -58,4 +58,4 @@ void scan_out(const ref::SnappedList& scene, const Frame<F>& registers, Streams<
 
 }  // namespace halfspace::model
 
-#endif  // HALFSPACE_MODEL_PIPELINE_KERNEL_SCAN_HPP_
+#endif  // HALFSPACE_MODEL_PIPELINE_KERNELS_SCAN_HPP_

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The records of room texture.
-#ifndef HALFSPACE_HLS_FORMATS_TEXTURE_RECORDS_HPP_
-#define HALFSPACE_HLS_FORMATS_TEXTURE_RECORDS_HPP_
+#ifndef HALFSPACE_HLS_FORMATS_RECORDS_TEXTURE_HPP_
+#define HALFSPACE_HLS_FORMATS_RECORDS_TEXTURE_HPP_
 
-#include "hls/formats/frame_records.hpp"
+#include "hls/formats/records/frame.hpp"
 
 namespace halfspace {
 
@@ -79,4 +79,4 @@ struct Texel {
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_FORMATS_TEXTURE_RECORDS_HPP_
+#endif  // HALFSPACE_HLS_FORMATS_RECORDS_TEXTURE_HPP_

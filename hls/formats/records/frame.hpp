@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What all records are made of, and a frame's registers.
-#ifndef HALFSPACE_HLS_FORMATS_FRAME_RECORDS_HPP_
-#define HALFSPACE_HLS_FORMATS_FRAME_RECORDS_HPP_
+#ifndef HALFSPACE_HLS_FORMATS_RECORDS_FRAME_HPP_
+#define HALFSPACE_HLS_FORMATS_RECORDS_FRAME_HPP_
 
 #include "hls/formats/formats.hpp"
 
@@ -38,4 +38,4 @@ void visit_colours(V&& v, typename F::Colour (&r)[3], typename F::Colour (&g)[3]
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_FORMATS_FRAME_RECORDS_HPP_
+#endif  // HALFSPACE_HLS_FORMATS_RECORDS_FRAME_HPP_

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The buffers of the kernels, read back as a frame.
-#ifndef HALFSPACE_MODEL_PIPELINE_KERNEL_BUFFERS_HPP_
-#define HALFSPACE_MODEL_PIPELINE_KERNEL_BUFFERS_HPP_
+#ifndef HALFSPACE_MODEL_PIPELINE_KERNELS_BUFFERS_HPP_
+#define HALFSPACE_MODEL_PIPELINE_KERNELS_BUFFERS_HPP_
 
 #include "hls/pipeline/pipeline.hpp"
 #include "ref/geometry/snap.hpp"
@@ -48,4 +48,4 @@ void copy_buffers(const Buffers<F>& buffers, const ref::SnappedList& scene, ref:
 
 }  // namespace halfspace::model
 
-#endif  // HALFSPACE_MODEL_PIPELINE_KERNEL_BUFFERS_HPP_
+#endif  // HALFSPACE_MODEL_PIPELINE_KERNELS_BUFFERS_HPP_

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The records of room setup: a triangle as it comes, and what is made of it for the rasterizer and for planes.
-#ifndef HALFSPACE_HLS_FORMATS_SETUP_RECORDS_HPP_
-#define HALFSPACE_HLS_FORMATS_SETUP_RECORDS_HPP_
+#ifndef HALFSPACE_HLS_FORMATS_RECORDS_SETUP_HPP_
+#define HALFSPACE_HLS_FORMATS_RECORDS_SETUP_HPP_
 
-#include "hls/formats/frame_records.hpp"
+#include "hls/formats/records/frame.hpp"
 
 namespace halfspace {
 
@@ -89,4 +89,4 @@ struct Attributes {
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_FORMATS_SETUP_RECORDS_HPP_
+#endif  // HALFSPACE_HLS_FORMATS_RECORDS_SETUP_HPP_

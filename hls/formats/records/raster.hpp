@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The records of rooms raster and ztest: stamps, what becomes of them, and whether their triangle is visible.
-#ifndef HALFSPACE_HLS_FORMATS_RASTER_RECORDS_HPP_
-#define HALFSPACE_HLS_FORMATS_RASTER_RECORDS_HPP_
+#ifndef HALFSPACE_HLS_FORMATS_RECORDS_RASTER_HPP_
+#define HALFSPACE_HLS_FORMATS_RECORDS_RASTER_HPP_
 
-#include "hls/formats/frame_records.hpp"
+#include "hls/formats/records/frame.hpp"
 
 namespace halfspace {
 
@@ -81,4 +81,4 @@ struct Visible {
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_FORMATS_RASTER_RECORDS_HPP_
+#endif  // HALFSPACE_HLS_FORMATS_RECORDS_RASTER_HPP_
