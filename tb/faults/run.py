@@ -134,7 +134,7 @@ def main():
     parser.add_argument("--scene", default="standard", help="of the vectors (default: %(default)s)")
     parser.add_argument("--config", default="low", help="with --package: a .toml file")
     parser.add_argument("--units", nargs="+", required=True, help="units, or pipeline; those that the faults may reach")
-    parser.add_argument("--of", metavar="UNIT", help="the faults of this unit alone: whose `unit` it is, or the first one")
+    parser.add_argument("--of", metavar="UNIT", help="only faults of this unit: that `unit` names alone or first")
     parser.add_argument("--package", type=pathlib.Path, help="of a configuration that has none in rtl/")
     parser.add_argument("--lanes", type=int, default=4, choices=sorted(LANES))
     parser.add_argument("--jobs", type=int, default=1)
