@@ -24,7 +24,7 @@ namespace halfspace {
 
 // Stores what motion_setup sends, one entry a call. Returns whether it was the last of the frame.
 template <class F>
-bool store_motion_planes(Stream<MotionPlanes<F>>& planes, MotionDatabase<F>& database) {
+bool store_planes(Stream<MotionPlanes<F>>& planes, MotionDatabase<F>& database) {
   const MotionPlanes<F> in = planes.read();
   if (!raw(in.empty)) database.planes[int(raw(in.index)) - 1] = in;
   return raw(in.last) != 0;

@@ -35,18 +35,18 @@ void pipeline_planes(Streams<F>& s, Buffers<F>& b) {
   // A frame in between has motion and no more.
   when(typename F::CompilesMotion(), F::kHasMotion, s, b, [&](auto& s, auto& b) {
     motion_setup(visible, s.motion_vectors, s.motion_planes);
-    store_motion_planes(s.motion_planes, b.motion);
+    store_planes(s.motion_planes, b.motion);
   });
   if (F::kHasMotion) return;
   when(typename F::CompilesTexture(), F::kHasTexture, s, b, [&](auto& s, auto& b) {
     fork(visible, s.coloured_attributes, s.texed_attributes);
     texture_setup(s.texed_attributes, s.texture_coordinates, s.texture_planes);
-    store_texture_planes(s.texture_planes, b.coordinates);
+    store_planes(s.texture_planes, b.coordinates);
   });
   Stream<Attributes<F>>& coloured = F::kHasTexture ? s.coloured_attributes : visible;
   when(typename F::CompilesPhong(), F::kPhong, s, b, [&](auto& s, auto& b) {
     phong_setup(coloured, s.normals, s.normal_planes);
-    store_normal_planes(s.normal_planes, b.normals);
+    store_planes(s.normal_planes, b.normals);
   });
   if (F::kPhong) return;
   choose(

@@ -132,7 +132,7 @@ Depths:
 
 template <class F>
 void raster_pineda(const Frame<F>& frame, Stream<Setup<F>>& setup, Stream<Stamp<F>>& stamp,
-                   Stream<TriangleDepth<F>>& triangle_depth, Probe<int>& visits) {
+                   Stream<TriangleDepth<F>>& depth_plane, Probe<int>& visits) {
   const Setup<F> in = setup.read();
   if (F::kTestsPlanes) {
     TriangleDepth<F> plane;
@@ -142,7 +142,7 @@ void raster_pineda(const Frame<F>& frame, Stream<Setup<F>>& setup, Stream<Stamp<
     plane.depth = in.depth;
     plane.depth_dx = in.depth_dx;
     plane.depth_dy = in.depth_dy;
-    triangle_depth.write(plane);
+    depth_plane.write(plane);
   }
   const WalkSteps<F> steps = walk_steps(in);
   const int x_min = int(raw(in.x_min)), x_max = int(raw(in.x_max)), y_max = int(raw(in.y_max));

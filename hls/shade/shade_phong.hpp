@@ -15,7 +15,7 @@ namespace halfspace {
 
 // Stores what phong_setup sends, one entry a call. Returns whether it was the last of the frame.
 template <class F>
-bool store_normal_planes(Stream<NormalPlanes<F>>& planes, NormalDatabase<F>& database) {
+bool store_planes(Stream<NormalPlanes<F>>& planes, NormalDatabase<F>& database) {
   const NormalPlanes<F> in = planes.read();
   if (!raw(in.empty)) database.planes[int(raw(in.index)) - 1] = in;
   return raw(in.last) != 0;

@@ -23,7 +23,7 @@ namespace halfspace {
 
 // Stores what texture_setup sends, one entry a call. Returns whether it was the last of the frame.
 template <class F>
-bool store_texture_planes(Stream<TexturePlanes<F>>& planes, TextureDatabase<F>& database) {
+bool store_planes(Stream<TexturePlanes<F>>& planes, TextureDatabase<F>& database) {
   const TexturePlanes<F> in = planes.read();
   if (!raw(in.empty)) database.planes[int(raw(in.index)) - 1] = in;
   return raw(in.last) != 0;

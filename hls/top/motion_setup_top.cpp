@@ -7,15 +7,15 @@
 using namespace halfspace;
 
 extern "C" void motion_setup_top(const std::int64_t attributes[kAttributesFields],
-                                 const std::int64_t motion_vectors[kMotionVectorsFields],
-                                 std::int64_t motion_planes[kMotionPlanesFields]) {
+                                 const std::int64_t vectors[kMotionVectorsFields],
+                                 std::int64_t planes[kMotionPlanesFields]) {
   using F = TopFormats;
   static_assert(F::kHasMotion, "motion_setup is of motion configurations");
   Stream<Attributes<F>> in;
   Stream<MotionVectors<F>> given;
   Stream<MotionPlanes<F>> out;
   in.write(read_fields<Attributes<F>>(attributes));
-  given.write(read_fields<MotionVectors<F>>(motion_vectors));
+  given.write(read_fields<MotionVectors<F>>(vectors));
   motion_setup(in, given, out);
-  write_fields(out.read(), motion_planes);
+  write_fields(out.read(), planes);
 }

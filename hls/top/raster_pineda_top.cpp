@@ -6,7 +6,7 @@ using namespace halfspace;
 // The stamps of one triangle, and for type γ its depth plane. Returns how many stamps.
 extern "C" int raster_pineda_top(int width, int height, const std::int64_t setup[kSetupFields],
                                  std::int64_t stamp[TopFormats::kStamps * kStampFields],
-                                 std::int64_t triangle_depth[kTriangleDepthFields]) {
+                                 std::int64_t depth_plane[kTriangleDepthFields]) {
   using F = TopFormats;
   Stream<Setup<F>> in;
   Stream<Stamp<F>> out;
@@ -14,7 +14,7 @@ extern "C" int raster_pineda_top(int width, int height, const std::int64_t setup
   Probe<int> visits;
   Stream<TriangleDepth<F>> depth;
   raster_pineda(top_frame(width, height, 0), in, out, depth, visits);
-  if (F::kTestsPlanes) write_fields(depth.read(), triangle_depth);
+  if (F::kTestsPlanes) write_fields(depth.read(), depth_plane);
   int count = 0;
 Stamps:
   for (int n = 0; n < F::kStamps; ++n) {

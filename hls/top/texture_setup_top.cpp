@@ -8,7 +8,7 @@ using namespace halfspace;
 
 extern "C" void texture_setup_top(const std::int64_t attributes[kAttributesFields],
                                   const std::int64_t coordinates[kTextureCoordinatesFields],
-                                  std::int64_t texture_planes[kTexturePlanesFields]) {
+                                  std::int64_t planes[kTexturePlanesFields]) {
   using F = TopFormats;
   static_assert(F::kHasTexture, "texture_setup is of configurations with texture");
   Stream<Attributes<F>> in;
@@ -17,5 +17,5 @@ extern "C" void texture_setup_top(const std::int64_t attributes[kAttributesField
   in.write(read_fields<Attributes<F>>(attributes));
   given.write(read_fields<TextureCoordinates<F>>(coordinates));
   texture_setup(in, given, out);
-  write_fields(out.read(), texture_planes);
+  write_fields(out.read(), planes);
 }

@@ -5,10 +5,10 @@
 
 using namespace halfspace;
 
-// One triangle. Returns whether `visible_attributes` was sent.
+// One triangle. Returns whether `passed` was sent.
 extern "C" int visible_select_top(const std::int64_t attributes[kAttributesFields],
                                   const std::int64_t tested[kVisibleFields], std::int64_t visible[kVisibleFields],
-                                  std::int64_t visible_attributes[kAttributesFields]) {
+                                  std::int64_t passed[kAttributesFields]) {
   using F = TopFormats;
   static_assert(F::kDeferred, "visible_select is of configurations with lighting or texture");
   Stream<Attributes<F>> in, out;
@@ -18,6 +18,6 @@ extern "C" int visible_select_top(const std::int64_t attributes[kAttributesField
   visible_select(in, result, told, out);
   write_fields(told.read(), visible);
   const bool sent = !out.empty();
-  if (sent) write_fields(out.read(), visible_attributes);
+  if (sent) write_fields(out.read(), passed);
   return sent;
 }

@@ -42,12 +42,12 @@ DepthEntry<F> depth_entry(const TriangleDepth<F>& in) {
 
 // The stamps of one triangle. `tests` hears what they cost.
 template <class F>
-void ztest_plane(Stream<Stamp<F>>& stamp, Stream<TriangleDepth<F>>& triangle_depth, IndexBuffer<F>& index_buffer,
+void ztest_plane(Stream<Stamp<F>>& stamp, Stream<TriangleDepth<F>>& depth_plane, IndexBuffer<F>& index_buffer,
                  VisibilityDatabase<F>& database, Probe<Update<F>>& update, Stream<Visible<F>>& visible,
                  Probe<PlaneTests>& tests) {
   using Depth = typename F::Depth;
   using Index = typename F::Index;
-  const DepthEntry<F> entry = depth_entry(triangle_depth.read());
+  const DepthEntry<F> entry = depth_entry(depth_plane.read());
   const Depth farthest = farthest_depth<F>();
   PlaneTests cost{1, 0};
   bool any_of_triangle = false;

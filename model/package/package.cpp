@@ -39,14 +39,14 @@ void add_setup(PackageWriter& out) {
   out.number("OrderBits", orders_vertices(c) ? VertexNumber::width() + Bit::width() : 0);
   out.fields({"colour_fraction"});
   out.number("ColourPlaneBits", t.colour_plane.width);  // flat: the colour's
-  out.words({"planes"});
+  out.word("Planes", "planes");
 }
 
 void add_objects(PackageWriter& out) {
   using T = FormatTable;
   out.constants({"HasObjects"});
   out.bits({&T::object, &T::object_count});
-  out.words({"merge", "found"});
+  out.words({"Merge", "Found"});
 }
 
 // Those of motion_compensate and ztest_merge besides, which are no part of an engine.

@@ -10,7 +10,7 @@ void add_lighting(PackageWriter& out) {
   const bool there = has_lighting(out.config());
   const auto number = [&](const char* name, int value) { out.number(name, there ? value : 0); };
   out.constants({"Deferred", "Lights"});
-  out.words({"light", "material", "normals", "colours"});
+  out.words({"Light", "Material", "Normals", "Colours"});
   out.bits({&T::normal, &T::light});
   out.constants({"Materials"});
   out.bits({&T::material});

@@ -60,11 +60,9 @@ void add_motion(PackageWriter& out) {
   number("KeyFirstBehind", weighted(c, 2, 1));
   number("KeyLastBefore", (1 << fraction_of(c)) - weighted(c, 1, -1));
   out.bits({&T::key_place, &T::tap_weight, &T::key_sum, &T::tile_x, &T::tile_y});
-  out.word("KeyRequest", "key_request_0");
-  out.word("KeyBlock", "key_block_0");
-  out.words({"compensated"});
+  out.words({"KeyRequest", "KeyBlock", "Compensated"});
   out.bits({&T::difference_plane});
-  out.words({"motion_vectors", "motion_planes", "motion"});
+  out.words({"MotionVectors", "MotionPlanes", "Motion"});
   add_key_tables(out);
 }
 

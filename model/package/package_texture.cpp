@@ -19,7 +19,8 @@ void add_texture(PackageWriter& out) {
   out.bits({&T::texel_place});
   out.number("FilteredFraction", is_bilinear(c) ? kFilteredFraction : 0);
   out.bits({&T::filtered});
-  out.words({"texture", "texel", "texture_coordinates", "texture_planes"});
+  out.word("Texture", "texture");
+  out.words({"Texel", "TextureCoordinates", "TexturePlanes"});
   out.bits({&T::inverse, &T::inverse_shift});
   inverse("InverseIndexBits", kInverseIndexBits);
   inverse("InverseOffsetBits", kInverseOffsetBits);

@@ -7,6 +7,8 @@
 #include <cctype>
 #include <stdexcept>
 
+#include "model/formats/stream_list.hpp"
+
 namespace halfspace::model {
 namespace {
 
@@ -56,13 +58,17 @@ void PackageWriter::bits(const std::vector<NumberFormat FormatTable::*>& formats
   }
 }
 
-void PackageWriter::words(const std::vector<const char*>& streams) {
-  for (const char* stream : streams) word(upper_camel(stream), stream);
+void PackageWriter::words(const std::vector<const char*>& records) {
+  for (const char* record : records)
+    word(record, [&](const Layout& layout) { return record_name(layout.row) == record; });
 }
 
 void PackageWriter::word(const std::string& name, const char* stream) {
-  const auto found =
-      std::find_if(layouts_.begin(), layouts_.end(), [&](const Layout& l) { return l.stream == stream; });
+  word(name, [&](const Layout& layout) { return layout.stream == stream; });
+}
+
+void PackageWriter::word(const std::string& name, const std::function<bool(const Layout&)>& is_it) {
+  const auto found = std::find_if(layouts_.begin(), layouts_.end(), is_it);
   number(name + "WordBits", found == layouts_.end() ? 1 : found->bits);
 }
 

@@ -4,6 +4,7 @@
 #define HALFSPACE_MODEL_PACKAGE_PACKAGE_WRITER_HPP_
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -30,8 +31,8 @@ class PackageWriter {
   void fields(const std::vector<const char*>& names);
   // Widths of formats: edge_step is EdgeStepBits.
   void bits(const std::vector<NumberFormat FormatTable::*>& formats);
-  // Widths of streams: texture_planes is TexturePlanesWordBits.
-  void words(const std::vector<const char*>& streams);
+  // Widths of words by their record: Motion is MotionWordBits; else by their stream.
+  void words(const std::vector<const char*>& records);
   void word(const std::string& name, const char* stream);
   // Formats as types: edge_step is edge_step_t.
   void types(const std::vector<NumberFormat FormatTable::*>& formats);
@@ -43,6 +44,8 @@ class PackageWriter {
   void no_table(const char* name);
 
  private:
+  void word(const std::string& name, const std::function<bool(const Layout&)>& is_it);
+
   Config config_;
   FormatTable table_ = format_table(config_);
   const std::vector<Layout>& layouts_;

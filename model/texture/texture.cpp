@@ -128,7 +128,7 @@ TextureFrame texture_frame(const ref::Geometry& geometry, const Config& config) 
   for (std::size_t k = 0; k < geometry.positions().triangles.size(); ++k) {
     RawCoordinates& out = frame.triangles.emplace_back();
     if (geometry.texture(k) < 0) continue;
-    out = quantized_coordinates(geometry.texture_coordinates(k), geometry.origins()[k].w, config,
+    out = quantized_coordinates(geometry.uv(k), geometry.origins()[k].w, config,
                                 fmt::format("{}: triangle {}", geometry.scene().name, k + 1));
     out.texture = geometry.texture(k) + 1;
   }

@@ -115,7 +115,7 @@ int Geometry::texture(std::size_t k) const {
   return mesh.texture_coordinates.empty() ? -1 : scene_.materials[mesh.material].texture;
 }
 
-std::array<glm::dvec2, 3> Geometry::texture_coordinates(std::size_t k) const {
+std::array<glm::dvec2, 3> Geometry::uv(std::size_t k) const {
   const Origin& origin = origins_[k];
   const Mesh& mesh = scene_.meshes[scene_.instances[origin.instance].mesh];
   std::array<glm::dvec2, 3> coordinates;

@@ -51,7 +51,7 @@ class Geometry {
   // −1 where the material has no texture or the mesh no coordinates.
   int texture(std::size_t k) const;
   // (u, v) of the vertices of a triangle that has a texture.
-  std::array<glm::dvec2, 3> texture_coordinates(std::size_t k) const;
+  std::array<glm::dvec2, 3> uv(std::size_t k) const;
 
  private:
   // A mesh in its place.

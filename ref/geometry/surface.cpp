@@ -156,7 +156,7 @@ class TexturedSurface : public Surface {
     k_ = k;
     triangle_.emplace(list_.triangles[k - 1]);
     texture_ = geometry_.texture(k - 1);
-    if (texture_ >= 0) coordinates_ = geometry_.texture_coordinates(k - 1);
+    if (texture_ >= 0) coordinates_ = geometry_.uv(k - 1);
   }
 
   const std::unique_ptr<Surface> lit_;

@@ -8,8 +8,8 @@
 // planes | those of hs_motion_vector | out. Multipliers, for each key: two a plane, and those of
 // hs_motion_vector.
 // Stall: everything stops while a word is not taken.
-// TdbS: entry index − 1, bits as in motion_planes_t from face on; a read takes one cycle, its word
-// stays until the next read. Two banks, used in turn by the frames, the first one by the first
+// TdbS: entry index − 1, bits as in the word of planes from face on; a read takes one cycle, its
+// word stays until the next read. Two banks, used in turn by the frames, the first one by the first
 // frame. A configuration without motion has no such unit: hs_formats_pkg has not its numbers then.
 module hs_motion_field #(
   parameter int unsigned LanesX,

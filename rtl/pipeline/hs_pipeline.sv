@@ -17,7 +17,7 @@
 // gives `motion` and no pixels, stands where hs_shading does.
 // With objects hs_objects joins each pixel with its depth and object to `entry`, which stands where
 // `pixel` does, and the Z-buffer has two banks.
-// Type gamma: ztest_plane, with a stream triangle_depth from raster_pineda, and TdbV stand where
+// Type gamma: ztest_plane, with a stream of planes from raster_pineda, and TdbV stand where
 // ztest_index and the Z-buffer do.
 // A stream that the configuration has not is one bit, not looked at and never valid.
 //

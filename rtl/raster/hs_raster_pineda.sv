@@ -211,19 +211,19 @@ module hs_raster_pineda #(
     hs_raster_plane #(
       .PlaneBits(hs_formats_pkg::DepthPlaneBits)
     ) u_plane (
-      .clk_i                 (clk_i),
-      .rst_ni                (rst_ni),
-      .free_o                (plane_free),
-      .load_i                (load),
-      .index_i               (setup_i.index),
-      .x_i                   (setup_i.x_start),
-      .y_i                   (setup_i.y_min),
-      .depth_i               (setup_i.depth),
-      .dx_i                  (setup_i.depth_dx),
-      .dy_i                  (setup_i.depth_dy),
-      .triangle_depth_valid_o(triangle_depth_valid_o),
-      .triangle_depth_ready_i(triangle_depth_ready_i),
-      .triangle_depth_o      (triangle_depth_o)
+      .clk_i   (clk_i),
+      .rst_ni  (rst_ni),
+      .free_o  (plane_free),
+      .load_i  (load),
+      .index_i (setup_i.index),
+      .x_i     (setup_i.x_start),
+      .y_i     (setup_i.y_min),
+      .depth_i (setup_i.depth),
+      .dx_i    (setup_i.depth_dx),
+      .dy_i    (setup_i.depth_dy),
+      .valid_o (triangle_depth_valid_o),
+      .ready_i (triangle_depth_ready_i),
+      .word_o  (triangle_depth_o)
     );
   end else begin : gen_no_plane
     logic unused_ready;

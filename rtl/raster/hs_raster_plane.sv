@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stream triangle_depth of hs_raster_pineda, where the Z-test evaluates planes (type gamma):
-// the depth plane of each triangle whose walk begins, from its setup.
+// The depth plane of each triangle whose walk begins, from its setup: what hs_raster_pineda sends
+// where the Z-test evaluates planes (type gamma).
 //
 // A word a walk; the output is a register. Stall: free_o falls while a word is not taken; load_i
 // waits for it.
@@ -25,14 +25,14 @@ module hs_raster_plane #(
   input  logic [PlaneBits-1:0]   dy_i,
 
   // To ztest_plane
-  output logic                   triangle_depth_valid_o,
-  input  logic                   triangle_depth_ready_i,
-  output logic [WordBits-1:0]    triangle_depth_o
+  output logic                   valid_o,
+  input  logic                   ready_i,
+  output logic [WordBits-1:0]    word_o
 );
   logic valid_q;
   logic [WordBits-1:0] word_q;
 
-  assign free_o = !valid_q || triangle_depth_ready_i;
+  assign free_o = !valid_q || ready_i;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) valid_q <= 1'b0;
@@ -43,6 +43,6 @@ module hs_raster_plane #(
     if (load_i) word_q <= {index_i, x_i, y_i, depth_i, dx_i, dy_i};
   end
 
-  assign triangle_depth_valid_o = valid_q;
-  assign triangle_depth_o = word_q;
+  assign valid_o = valid_q;
+  assign word_o = word_q;
 endmodule

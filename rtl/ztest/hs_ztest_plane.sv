@@ -159,7 +159,7 @@ module hs_ztest_plane #(
     .stamp_i         (stamp_valid_i && stamp_ready_o),
     .stamp_depth_i   (stamp_i[Lanes*DepthBits-1:0]),
     .begins_i        (plane_begins),
-    .triangle_depth_i(triangle_depth_i),
+    .plane_i         (triangle_depth_i),
     .fetch_plane_i   (fetch_plane_i),
     .x_i             (heads_q[HeadBits+YBits +: XBits]),
     .y_i             (heads_q[HeadBits +: YBits]),

@@ -3,7 +3,7 @@
 // stamp; and the plane of the triangle that is tested, as TdbV keeps it.
 //
 // A slot of hs_ztest_plane comes in with its plane and leaves five cycles later, of those in which
-// go_i is 1. A slot that begins a triangle brings the plane of triangle_depth, {index, x, y, depth,
+// go_i is 1. A slot that begins a triangle brings its plane, {index, x, y, depth,
 // dx, dy}, and takes it back from its stamp to pixel (0, 0), with the same two multipliers:
 // depth − dx·x − dy·y. A stamp's depths come in before its slots, StampsInFlight stamps at most.
 module hs_ztest_recall #(
@@ -28,7 +28,7 @@ module hs_ztest_recall #(
 
   // A slot comes in
   input  logic                         begins_i,  // its triangle, and brings its plane
-  input  logic [TriangleDepthBits-1:0] triangle_depth_i,
+  input  logic [TriangleDepthBits-1:0] plane_i,
   input  logic [3*PlaneBits-1:0]       fetch_plane_i,
   input  hs_formats_pkg::x_t           x_i,  // of the stamp
   input  hs_formats_pkg::y_t           y_i,
@@ -55,7 +55,7 @@ module hs_ztest_recall #(
   logic [Lanes*DepthBits-1:0] stored, stamp_depth;
   logic unused_index, unused_room, unused_word, unused_depth_room, unused_depth_word;
 
-  assign {index, x, y, depth, dx, dy} = triangle_depth_i;
+  assign {index, x, y, depth, dx, dy} = plane_i;
   assign entry = EntryBits'(index) - EntryBits'(1);
   assign unused_index = index[IndexBits-1];  // Triangles may be a power of two
 

@@ -54,8 +54,8 @@ class RuntimeProbe : public KernelProbe {
     std::vector<ProbedPixel> out;
     if (raw(setup_.empty)) return out;
     s_.setup.write(setup_);
-    raster_pineda(frame_, s_.setup, s_.stamp, s_.triangle_depth, s_.visits);
-    if (F::kTestsPlanes) s_.triangle_depth.read();
+    raster_pineda(frame_, s_.setup, s_.stamp, depth_plane_, s_.visits);
+    if (F::kTestsPlanes) depth_plane_.read();
     while (!s_.stamp.empty()) {
       const Stamp<F> s = s_.stamp.read();
       Scan<F> scan{};
@@ -151,6 +151,7 @@ class RuntimeProbe : public KernelProbe {
   Setup<F> setup_{};
   std::unique_ptr<ShadingDatabase<F>> database_;
   Streams<F> s_;
+  Stream<TriangleDepth<F>> depth_plane_;  // to no one
   NormalPlanes<F> normal_planes_{};
 };
 

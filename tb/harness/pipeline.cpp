@@ -9,12 +9,8 @@ namespace {
 
 constexpr int kPause = 64;
 // What is loaded before a frame, and what geometry answers to `visible`.
-constexpr const char* kLoads[] = {"light", "material", "texture", "texel"};
-constexpr const char* kAnswers[] = {"normals", "texture_coordinates", "motion_vectors"};
-template <std::size_t N>
-bool is_one_of(const char* const (&names)[N], const std::string& name) {
-  return std::find(std::begin(names), std::end(names), name) != std::end(names);
-}
+bool is_loaded(const Stream& stream) { return stream.from == "host"; }
+bool is_answer(const Stream& stream) { return stream.from == "geometry" && stream.name != "triangle"; }
 // After reset the pipeline clears its I-buffer, in the smallest stamps two million words a bank.
 constexpr std::uint64_t kResetPatience = 10'000'000;
 
@@ -41,14 +37,12 @@ Segment segment_of(const Stream& stream, const Turn& turn) {
   return {&stream, begin, begin + stream.frame_words[turn.frame], turn.frame, turn.note};
 }
 
-// Whether a stream, if there is one, has the same words in two frames.
-bool same_words(const Vectors& vectors, const char* name, std::size_t a, std::size_t b) {
-  const Stream* const stream = vectors.find(name);
-  if (stream == nullptr) return true;
-  const Segment first = segment_of(*stream, {a, ""}), second = segment_of(*stream, {b, ""});
+// Whether a stream has the same words in two frames.
+bool same_words(const Stream& stream, std::size_t a, std::size_t b) {
+  const Segment first = segment_of(stream, {a, ""}), second = segment_of(stream, {b, ""});
   if (first.end - first.begin != second.end - second.begin) return false;
   for (std::size_t n = 0; n < first.end - first.begin; ++n) {
-    if (std::memcmp(stream->words[first.begin + n], stream->words[second.begin + n], stream->words.parts() * 4) != 0)
+    if (std::memcmp(stream.words[first.begin + n], stream.words[second.begin + n], stream.words.parts() * 4) != 0)
       return false;
   }
   return true;
@@ -57,8 +51,8 @@ bool same_words(const Vectors& vectors, const char* name, std::size_t a, std::si
 // Whether one frame may follow the other without a pause: registers and what is loaded are the same.
 bool may_follow(const Vectors& vectors, std::size_t a, std::size_t b) {
   return same_registers(vectors.frames[a], vectors.frames[b]) &&
-         std::all_of(std::begin(kLoads), std::end(kLoads),
-                     [&](const char* name) { return same_words(vectors, name, a, b); });
+         std::all_of(vectors.streams.begin(), vectors.streams.end(),
+                     [&](const Stream& stream) { return !is_loaded(stream) || same_words(stream, a, b); });
 }
 
 // What geometry has heard of the triangles, and may send for it.
@@ -119,14 +113,14 @@ Result run_pipeline(Model* model, const Vectors& vectors, const Options& options
   Receiver* pixel = nullptr;
   bool scans = false;
   for (const Stream& stream : vectors.streams) {
-    if (stream.name == "triangle" || is_one_of(kAnswers, stream.name)) {
+    if (stream.name == "triangle" || is_answer(stream)) {
       Sender& sender = bench.add_sender(stream);
       senders.emplace_back(&stream, &sender);
       if (stream.name == "triangle") triangles = &sender;
       else sender.hold(&geometry.answers);
       continue;
     }
-    if (is_one_of(kLoads, stream.name)) {
+    if (is_loaded(stream)) {
       loads.emplace_back(&stream, &bench.add_sender(stream));
       continue;
     }

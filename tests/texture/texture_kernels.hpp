@@ -43,7 +43,7 @@ class TextureKernels {
       attributes_.write(shape);
       coordinates_.write(model::coordinates_record<F>(frame.triangles[k], int(k) + 1, false));
       texture_setup(attributes_, coordinates_, planes_);
-      store_texture_planes(planes_, *database_);
+      store_planes(planes_, *database_);
     }
   }
 

@@ -114,7 +114,7 @@ void compare(const std::string& name, ref::Scene scene, int width, int height, R
       ++result.pixels;
       const ref::Texture& texture = scene.textures[std::size_t(geometry.texture(k - 1))];
       const glm::dvec2 sides(texture.width, texture.height);
-      const auto [exact, bound] = exact_place(config, list.triangles[k - 1], geometry.texture_coordinates(k - 1),
+      const auto [exact, bound] = exact_place(config, list.triangles[k - 1], geometry.uv(k - 1),
                                               geometry.origins()[k - 1].w, frame.triangles[k - 1], sides, x, y);
       const glm::dvec2 where = exact * sides - (is_bilinear(config) ? 0.5 : 0.0);
       const auto place = kernels.position(k, x, y);
