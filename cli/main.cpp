@@ -84,10 +84,10 @@ Json to_json(const ref::BufferUses& needed, const model::BufferBits& bits, const
   return json;
 }
 
-Json to_json(const model::MemoryBits& m) {
-  return {{"index_buffer", m.index},       {"depth_buffer", m.depth},
-          {"shading_database", m.shading}, {"visibility_database", m.visibility},
-          {"object_table", m.object},      {"total", m.total()}};
+Json to_json(const model::MemoryBits& bits) {
+  return {{"index_buffer", bits.index},       {"depth_buffer", bits.depth},
+          {"shading_database", bits.shading}, {"visibility_database", bits.visibility},
+          {"object_table", bits.object},      {"total", bits.total()}};
 }
 
 }  // namespace halfspace::cli
