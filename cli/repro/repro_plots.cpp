@@ -35,7 +35,7 @@ std::string label(const Json& row) {
 // Lightings of index rendering, of alpha's. Those with flat and Gouraud shading are the same share, and so are those of
 // deferred shading and index rendering with Phong.
 std::string plot_lightings(const Json& rows, const std::string& folder) {
-  const std::string picture = (fs::path(folder) / "lightings.png").string();
+  std::string picture = (fs::path(folder) / "lightings.png").string();
   std::vector<std::string> order;
   std::map<std::string, std::map<std::string, double>> share;  // label, shading
   for (const Json& row : rows) {

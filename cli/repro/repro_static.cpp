@@ -112,7 +112,7 @@ void print(const ReproStaticOptions& o, const model::StaticExperiment& e) {
 
 // Objects drawn a frame and the deviation of cycles, by the number that moves.
 std::string plot(const Json& json, const std::string& folder) {
-  const std::string picture = (fs::path(folder) / "static_objects.png").string();
+  std::string picture = (fs::path(folder) / "static_objects.png").string();
   std::string script = fmt::format(
       "set terminal pngcairo size 1100,420 font 'sans,11' background rgb 'white'\nset output {}\n"
       "set grid lt 1 lw 0.5 lc rgb '#cccccc'\nset key left top\nset xlabel 'objects that move'\n"
@@ -149,7 +149,7 @@ std::string write_last_picture(const ref::ObjectBuffer& from, const std::string&
       picture.pixels.push_back({c[0], c[1], c[2]});
     }
   }
-  const std::string path = (fs::path(folder) / "crowd.png").string();
+  std::string path = (fs::path(folder) / "crowd.png").string();
   write_picture(path, picture);
   return path;
 }
