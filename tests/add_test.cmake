@@ -61,6 +61,14 @@ function(halfspace_script_test name script)
                      COMMAND $<TARGET_FILE:Python3::Interpreter> ${CMAKE_CURRENT_SOURCE_DIR}/${script} ${S_COMMAND})
 endfunction()
 
+# The header of all tests, parsed once.
+add_library(tests_header OBJECT EXCLUDE_FROM_ALL ${CMAKE_CURRENT_SOURCE_DIR}/header.cpp)
+target_link_libraries(tests_header PRIVATE halfspace_study GTest::gtest_main)
+target_compile_definitions(tests_header PRIVATE HALFSPACE_SOURCE="${PROJECT_SOURCE_DIR}"
+                           HALFSPACE_TESTMODELS="${HALFSPACE_TESTMODELS}")
+halfspace_warnings(tests_header)
+target_precompile_headers(tests_header PRIVATE <gtest/gtest.h>)
+
 # halfspace_test(NAME WORLD world [UNITS unit …] [LIBRARIES …]): NAME.cpp of the folder as a GoogleTest program.
 function(halfspace_test name)
   cmake_parse_arguments(PARSE_ARGV 1 T "" "" "LIBRARIES")
@@ -69,6 +77,7 @@ function(halfspace_test name)
   target_compile_definitions(${name} PRIVATE HALFSPACE_SOURCE="${PROJECT_SOURCE_DIR}"
                              HALFSPACE_TESTMODELS="${HALFSPACE_TESTMODELS}")
   halfspace_warnings(${name})
+  target_precompile_headers(${name} REUSE_FROM tests_header)
   halfspace_add_test(NAME ${name} ${T_UNPARSED_ARGUMENTS} BUILDS ${name} COMMAND $<TARGET_FILE:${name}> --gtest_brief=1)
 endfunction()
 
