@@ -24,7 +24,7 @@ using ref::Scene;
 constexpr int kWidth = 64, kHeight = 48;
 constexpr double kAspect = double(kWidth) / kHeight;
 
-enum Part { kBall, kInPlaneFirst, kWall, kInPlaneLater, kThrough, kBehind, kSurprise, kSleeper, kParts };
+enum RoomPart { kBall, kInPlaneFirst, kWall, kInPlaneLater, kThrough, kBehind, kSurprise, kSleeper, kParts };
 
 inline void add_quad(Scene& scene, const char* name, double rx, double ry) {
   ref::MeshBuilder builder;
