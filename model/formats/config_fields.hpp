@@ -35,7 +35,7 @@ const ConfigField* find_field(const std::string& name);
 std::vector<ConfigField> numbers_of(Part part);
 
 // Of a choice, to a word that it has.
-void set_choice(Config&, const std::string& field, const std::string& word);
+void set_choice(Config&, const std::string& name, const std::string& word);
 
 // Are all fields the same, whatever the names?
 bool same_numbers(const Config&, const Config&);

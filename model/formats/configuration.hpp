@@ -31,7 +31,7 @@ const std::vector<Configuration>& named_configurations();
 // A name of these, or the path of a .toml file. Throws ref::Error.
 Configuration find_configuration(const std::string& name_or_path);
 // `source` stands in the sentences of errors.
-Configuration parse_configuration(const std::string& toml, const std::string& source);
+Configuration parse_configuration(const std::string& text, const std::string& source);
 // The text of its file.
 std::string configuration_toml(const Configuration&);
 // The text of its header, for a compiler: a struct with the name in UpperCamelCase.

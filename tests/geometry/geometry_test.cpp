@@ -73,7 +73,8 @@ TEST(Geometry, GuardBandDoesNotChangeTheFrame) {
     const Frame a = render(snap(whole, wide_format)), b = render(snap(parts, kMiddle));
     for (std::size_t at = 0; at < a.index.size(); ++at) {
       if ((a.index[at] != 0) == (b.index[at] != 0)) continue;
-      const double x = at % 640 + 0.5, y = double(at / 640) + 0.5;
+      const std::size_t column = at % 640, row = at / 640;
+      const double x = double(column) + 0.5, y = double(row) + 0.5;
       ASSERT_LT(std::min({distance_to_line(t[0], t[1], x, y), distance_to_line(t[1], t[2], x, y),
                           distance_to_line(t[2], t[0], x, y)}),
                 1.0 / 128);

@@ -287,8 +287,8 @@ Worst worst_colours(const Config& c) {
       const std::array<double, 4> x = exact_weights(c.filter, at_t(u, g)), y = exact_weights(c.filter, at_t(v, g));
       double above = 0, below = 0;
       for (std::size_t n = 0; n < 16; ++n) {
-        const double error =
-            std::ldexp(double(columns.tap[n % 4]) * rows.tap[n / 4], -2 * c.weight_bits) - x[n % 4] * y[n / 4];
+        const std::size_t i = n % 4, j = n / 4;
+        const double error = std::ldexp(double(columns.tap[i]) * rows.tap[j], -2 * c.weight_bits) - x[i] * y[j];
         (error > 0 ? above : below) += std::fabs(error);
       }
       const double error = std::max(above, below) * ((1 << c.colour_bits) - 1);
@@ -318,8 +318,9 @@ TEST(Weights, CostNoMoreThanTheirBound) {
       const std::array<double, 4> x = exact_weights(filter, at_t(worst.x, 6)),
                                   y = exact_weights(filter, at_t(worst.y, 6));
       for (std::size_t n = 0; n < 16; ++n) {
-        const double error = std::ldexp(double(columns.tap[n % 4]) * rows.tap[n / 4], -2 * w) - x[n % 4] * y[n / 4];
-        key.rgb[8 * (2 + n / 4) + 2 + n % 4].fill((error > 0) == worst.above ? 255 : 0);
+        const std::size_t i = n % 4, j = n / 4;
+        const double error = std::ldexp(double(columns.tap[i]) * rows.tap[j], -2 * w) - x[i] * y[j];
+        key.rgb[8 * (2 + j) + 2 + i].fill((error > 0) == worst.above ? 255 : 0);
       }
       frame.key = {key, key};
       frame.weight = 1 << w;

@@ -142,7 +142,7 @@ TEST(UpConversionFormats, RefusesWhatDoesNotFit) {
   Config numbers = model::default_motion(low.config());
   const Configuration motion = model::motion_configuration(low, numbers, 320, 200);
   try {
-    KernelUpConverter({320, 200, middle, motion});
+    const KernelUpConverter converter({320, 200, middle, motion});
     FAIL() << "middle and low share no grid";
   } catch (const ref::Error& e) {
     EXPECT_NE(std::string(e.what()).find("range_bits differs"), std::string::npos) << e.what();

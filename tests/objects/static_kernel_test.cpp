@@ -18,7 +18,6 @@ namespace {
 
 using model::RawEntry;
 using model::StaticFrames;
-using ref::ObjectState;
 
 constexpr int kWidth = 40, kHeight = 30, kObjects = 16;
 
@@ -38,7 +37,7 @@ std::string name_of(const Case& c) {
 constexpr int kEnough = 4000;
 model::Configuration configuration(const Case& c, int triangles) {
   const std::string base = c.base;
-  Config config = model::find_configuration(base.find('_') == base.npos ? base : config_path(base)).config();
+  Config config = model::find_configuration(base.find('_') == std::string::npos ? base : config_path(base)).config();
   config.width = kWidth, config.height = kHeight;
   config.depth_bits = c.depth_bits;
   config.triangles = triangles;

@@ -19,7 +19,7 @@ std::string refusal(What&& what) {
   try {
     what();
   } catch (const Error& error) {
-    const std::string sentence = error.what();
+    std::string sentence = error.what();
     EXPECT_EQ(sentence.find('\n'), sentence.npos) << sentence;
     return sentence;
   }

@@ -17,8 +17,6 @@
 namespace halfspace::tests {
 namespace {
 
-using model::Configuration;
-
 // The same formats, and triangles that come with their colours.
 Config unlit(Config config) {
   config.normal_bits = config.lights = config.gloss = config.materials = 0;

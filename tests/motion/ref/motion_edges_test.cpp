@@ -49,7 +49,7 @@ Count count(const MotionField& field) {
     for (int key = 0; key < kKeys; ++key) {
       if (!field.to_key[key][i]) continue;
       ++count.with[key];
-      const glm::dvec2 place = *field.to_key[key][i] + glm::dvec2(i % kView.width + 0.5, i / kView.width + 0.5);
+      const glm::dvec2 place = *field.to_key[key][i] + centre_of(i);
       count.inside[key] += place.x >= 0 && place.x < kView.width && place.y >= 0 && place.y < kView.height;
     }
   }

@@ -119,7 +119,7 @@ TEST(Vectors, RotationOfThePicture) {
     int pixels = 0;
     for (std::size_t i = 0; i < field.face.size(); ++i) {
       if (field.face[i] == 0) continue;
-      const glm::dvec2 arm(i % 160 + 0.5 - 80, i / 160 + 0.5 - 60);
+      const glm::dvec2 arm = centre_of(i) - glm::dvec2(80, 60);
       for (int key = 0; key < kKeys; ++key) {
         const double turn = angle[2] - angle[key];  // rows go downward
         const glm::dvec2 expected(arm.x * std::cos(turn) - arm.y * std::sin(turn),

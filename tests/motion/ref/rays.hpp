@@ -42,7 +42,7 @@ class Rays {
     for (int key = 0; key < kKeys; ++key) to_clip_[key] = viewpoint(*scenes_[key], aspect).to_clip;
   }
   std::optional<glm::dvec2> vector(std::uint32_t face, std::size_t pixel, int key) const {
-    const glm::dvec2 centre(pixel % kView.width + 0.5, pixel / kView.width + 0.5);
+    const glm::dvec2 centre = centre_of(pixel);
     const glm::dvec2 ndc(2 * centre.x / kView.width - 1, 1 - 2 * centre.y / kView.height);
     const glm::dvec4 near = from_clip_ * glm::dvec4(ndc, 0, 1), far = from_clip_ * glm::dvec4(ndc, 1, 1);
     const glm::dvec3 start = glm::dvec3(near) / near.w, way = glm::dvec3(far) / far.w - start;

@@ -16,6 +16,11 @@ inline const RasterFormat kFormat{"motion", 320, 240, 16384, 14, 8, 24};
 inline const View kView{160, 120, kFormat.range_bits, kFormat.subpixel_bits};
 constexpr double kFrame = 1 / 30.0, kInterval = 5 * kFrame;  // seconds; a key in five
 
+inline glm::dvec2 centre_of(std::size_t pixel) {
+  const std::size_t column = pixel % std::size_t(kView.width), row = pixel / std::size_t(kView.width);
+  return {double(column) + 0.5, double(row) + 0.5};
+}
+
 // A scene at two keys and between them.
 struct Times {
   Scene first, second, between;
