@@ -121,27 +121,22 @@ module hs_shading #(
   );
 
   // --- TdbS ---
-  logic read_en, read_bank, store_last, store_empty, unused_index;
-  logic [EntryBits-1:0] read_entry, store_entry;
-  logic [IndexBits-1:0] store_index;
-  logic [EntryPlanesBits-1:0] read_planes, store_planes;
+  logic read_en, read_bank;
+  logic [EntryBits-1:0] read_entry;
+  logic [EntryPlanesBits-1:0] read_planes;
 
-  assign {store_last, store_empty, store_index, store_planes} = planes;
-  assign planes_last_o = planes_valid && store_last;
-  assign store_entry = EntryBits'(store_index) - EntryBits'(1);
-  assign unused_index = ^store_index;  // a power of two of entries has a bit less
-
-  hs_ram_1r1w #(
-    .Width(EntryPlanesBits),
-    .Depth(2 << EntryBits)
+  hs_planes_database #(
+    .PlanesBits(PlanesBits)
   ) u_shading_database (
-    .clk_i          (clk_i),
-    .read_en_i      (read_en),
-    .read_address_i ({read_bank, read_entry}),
-    .read_data_o    (read_planes),
-    .write_en_i     (planes_valid && !store_empty),
-    .write_address_i({planes_bank_i, store_entry}),
-    .write_data_i   (store_planes)
+    .clk_i         (clk_i),
+    .planes_valid_i(planes_valid),
+    .planes_i      (planes),
+    .planes_bank_i (planes_bank_i),
+    .planes_last_o (planes_last_o),
+    .read_en_i     (read_en),
+    .read_bank_i   (read_bank),
+    .read_entry_i  (read_entry),
+    .read_planes_o (read_planes)
   );
 
   // --- scan ─► pixels without texture ---
