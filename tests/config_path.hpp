@@ -8,6 +8,7 @@
 #include <string>
 
 #include "model/formats/configuration.hpp"
+#include "ref/error.hpp"
 
 namespace halfspace {
 
@@ -21,6 +22,18 @@ inline std::string config_path(const std::string& name) {
 
 // One that a test has compiled, as the model takes it.
 inline model::Configuration configuration_of(const Config& config) { return model::Configuration(config.name, config); }
+
+// Why it is refused once it is changed so; "accepted" if it is not.
+template <class Change>
+std::string refusal_of(Config config, Change change) {
+  change(config);
+  try {
+    configuration_of(config);
+  } catch (const ref::Error& e) {
+    return e.what();
+  }
+  return "accepted";
+}
 
 }  // namespace halfspace
 

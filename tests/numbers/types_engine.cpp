@@ -9,17 +9,6 @@
 #include "tests/formats/feature_configs.hpp"
 #include "tests/objects/object_configs.hpp"
 
-#if defined(HALFSPACE_TYPES_SYSTEMC)
-#define HS_MAKE_ENGINE make_systemc_engine
-#define HS_MERGE systemc_merge
-#elif defined(HALFSPACE_TYPES_AP)
-#define HS_MAKE_ENGINE make_ap_engine
-#define HS_MERGE ap_merge
-#elif defined(HALFSPACE_TYPES_AC)
-#define HS_MAKE_ENGINE make_ac_engine
-#define HS_MERGE ac_merge
-#endif
-
 namespace halfspace::tests {
 namespace {
 

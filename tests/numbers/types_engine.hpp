@@ -11,6 +11,18 @@
 #include "model/objects/merge.hpp"
 #include "model/pipeline/engine.hpp"
 
+// Those of the numbers that the file is compiled with.
+#if defined(HALFSPACE_TYPES_SYSTEMC)
+#define HS_MAKE_ENGINE make_systemc_engine
+#define HS_MERGE systemc_merge
+#elif defined(HALFSPACE_TYPES_AP)
+#define HS_MAKE_ENGINE make_ap_engine
+#define HS_MERGE ap_merge
+#elif defined(HALFSPACE_TYPES_AC)
+#define HS_MAKE_ENGINE make_ac_engine
+#define HS_MERGE ac_merge
+#endif
+
 namespace halfspace::tests {
 
 constexpr int kTypesLanes = 4;

@@ -18,17 +18,6 @@
 #include "vectors/frames/merge_frames.hpp"
 #include "vectors/standard_set.hpp"
 
-#if defined(HALFSPACE_TYPES_SYSTEMC)
-#define HS_MAKE_ENGINE make_systemc_engine
-#define HS_MERGE systemc_merge
-#elif defined(HALFSPACE_TYPES_AP)
-#define HS_MAKE_ENGINE make_ap_engine
-#define HS_MERGE ap_merge
-#elif defined(HALFSPACE_TYPES_AC)
-#define HS_MAKE_ENGINE make_ac_engine
-#define HS_MERGE ac_merge
-#endif
-
 namespace halfspace::model {
 
 // In the place of the native engines: write_vector_set() finds this one first. An object of the library that defines it

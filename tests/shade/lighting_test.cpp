@@ -260,16 +260,7 @@ TEST(DistantLighting, IsTheFormula) {
 }
 
 TEST(LightingRefusals, NameWhatIsWrong) {
-  auto refusal_of = [](auto change) {
-    Config config = LitMiddle::config();
-    change(config);
-    try {
-      model::Configuration("x", config);
-    } catch (const ref::Error& e) {
-      return std::string(e.what());
-    }
-    return std::string("accepted");
-  };
+  const auto refusal_of = [](auto change) { return halfspace::refusal_of(LitMiddle::config(), change); };
   EXPECT_EQ(refusal_of([](Config&) {}), "accepted");
   EXPECT_NE(refusal_of([](Config& c) { c.normal_bits = 8; }).find("normal_bits is 9 to 16"), std::string::npos);
   EXPECT_NE(refusal_of([](Config& c) { c.lights = 5; }).find("lights is 1 to 4"), std::string::npos);

@@ -155,16 +155,7 @@ TEST(PhongConfigurations, FilesAndHeadersAgree) {
 }
 
 TEST(PhongConfigurations, AreRefusedWithAReason) {
-  auto refusal_of = [](auto change) {
-    Config config = PhongHigh::config();
-    change(config);
-    try {
-      configuration_of(config);
-    } catch (const ref::Error& e) {
-      return std::string(e.what());
-    }
-    return std::string("accepted");
-  };
+  const auto refusal_of = [](auto change) { return halfspace::refusal_of(PhongHigh::config(), change); };
   EXPECT_EQ(refusal_of([](Config&) {}), "accepted");
   EXPECT_NE(refusal_of([](Config& c) { c.lights = 0; }).find("there are no lights"), std::string::npos);
   EXPECT_NE(

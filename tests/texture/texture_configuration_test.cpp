@@ -27,16 +27,7 @@ TEST(TextureConfigurations, FilesAndHeadersAgree) {
 }
 
 TEST(TextureConfigurations, AreRefusedWithAReason) {
-  auto refusal_of = [](auto change) {
-    Config config = TexturedHigh::config();
-    change(config);
-    try {
-      configuration_of(config);
-    } catch (const ref::Error& e) {
-      return std::string(e.what());
-    }
-    return std::string("accepted");
-  };
+  const auto refusal_of = [](auto change) { return halfspace::refusal_of(TexturedHigh::config(), change); };
   const auto says = [&](auto change, const char* what) {
     EXPECT_NE(refusal_of(change).find(what), std::string::npos) << refusal_of(change);
   };
