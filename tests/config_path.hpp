@@ -23,16 +23,20 @@ inline std::string config_path(const std::string& name) {
 // One that a test has compiled, as the model takes it.
 inline model::Configuration configuration_of(const Config& config) { return model::Configuration(config.name, config); }
 
-// Why it is refused once it is changed so; "accepted" if it is not.
-template <class Change>
-std::string refusal_of(Config config, Change change) {
-  change(config);
+// Why it is refused; "accepted" if it is not.
+inline std::string refusal_of(const Config& config) {
   try {
     configuration_of(config);
   } catch (const ref::Error& e) {
     return e.what();
   }
   return "accepted";
+}
+// And once it is changed so.
+template <class Change>
+std::string refusal_of(Config config, Change change) {
+  change(config);
+  return refusal_of(config);
 }
 
 }  // namespace halfspace

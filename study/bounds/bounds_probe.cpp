@@ -3,6 +3,7 @@
 
 #include "hls/pipeline/pipeline.hpp"
 #include "model/formats/runtime_formats.hpp"
+#include "model/pipeline/kernels/triangle_record.hpp"
 
 namespace halfspace::model {
 namespace {
@@ -27,16 +28,7 @@ class RuntimeProbe : public KernelProbe {
 
   ProbedSetup setup(const ref::SnappedTriangle& in) override {
     F::activate(config_, table_);
-    Triangle<F> t{};
-    t.index = from_raw<typename F::Index>(1);
-    for (int v = 0; v < 3; ++v) {
-      t.x[v] = from_raw<typename F::Coord>(in.x[v]);
-      t.y[v] = from_raw<typename F::Coord>(in.y[v]);
-      t.depth[v] = from_raw<typename F::Depth>(in.depth[v]);
-      t.r[v] = from_raw<typename F::Colour>(in.rgb[v][0]);
-      t.g[v] = from_raw<typename F::Colour>(in.rgb[v][1]);
-      t.b[v] = from_raw<typename F::Colour>(in.rgb[v][2]);
-    }
+    const Triangle<F> t = triangle_record<F>(in, 1, 0);
     s_.triangle.write(t);
     triangle_setup(frame_, s_.triangle, s_.setup, s_.attributes);
     setup_ = s_.setup.read();

@@ -11,6 +11,7 @@
 #include "model/formats/format_fields.hpp"
 #include "model/pipeline/engine.hpp"
 #include "ref/error.hpp"
+#include "tests/formats/streams_of.hpp"
 #include "vectors/standard_set.hpp"
 
 namespace halfspace::tests {
@@ -39,18 +40,6 @@ std::string middle_with(const std::string& field, const std::string& line) {
   std::istringstream in(model::configuration_toml(model::find_configuration("middle")));
   std::string text, one;
   while (std::getline(in, one)) text += (one.rfind(field + " ", 0) == 0 ? line : one) + "\n";
-  return text;
-}
-
-// What the words of all streams of some frames come to.
-std::string streams_of(model::Engine& engine, const std::vector<model::NamedFrame>& frames) {
-  std::string text;
-  for (const auto& frame : frames) {
-    engine.capture(frame.scene, [&](const model::Layout& layout, const model::Word* words, std::size_t count) {
-      text += layout.stream;
-      for (std::size_t n = 0; n < count; ++n) model::append_hex(text, words[n], layout.bits);
-    });
-  }
   return text;
 }
 

@@ -12,6 +12,7 @@
 #include "study/trade/accuracy.hpp"
 #include "tests/config_path.hpp"
 #include "tests/formats/feature_configs.hpp"
+#include "tests/formats/streams_of.hpp"
 #include "vectors/standard_set.hpp"
 
 namespace halfspace::tests {
@@ -48,18 +49,6 @@ class Features : public testing::Test {
 
 using Combinations = testing::Types<GouraudDepth, GouraudOnly, FlatDepth, FlatOnly, Gamma>;
 TYPED_TEST_SUITE(Features, Combinations);
-
-template <class S>
-std::string streams_of(model::Engine& engine, const S& frames) {
-  std::string text;
-  for (const auto& frame : frames) {
-    engine.capture(frame.scene, [&](const model::Layout& layout, const model::Word* words, std::size_t count) {
-      text += layout.stream;
-      for (std::size_t n = 0; n < count; ++n) model::append_hex(text, words[n], layout.bits);
-    });
-  }
-  return text;
-}
 
 TYPED_TEST(Features, CompiledAndAtRunTimeAreTheSameBits) {
   const auto frames = this->frames(5);
@@ -191,15 +180,6 @@ TYPED_TEST(Features, FileReadsBack) {
   EXPECT_EQ(again.config().architecture, this->config.architecture);
   const std::string middle = model::configuration_toml(model::find_configuration("middle"));
   EXPECT_TRUE(is_gouraud(model::parse_configuration(middle.substr(0, middle.find("shading")), "x.toml").config()));
-}
-
-std::string refusal_of(const Config& numbers) {
-  try {
-    Configuration("x", numbers);
-  } catch (const ref::Error& e) {
-    return e.what();
-  }
-  return "accepted";
 }
 
 // Nothing that means nothing is asked for, and nothing of it is taken.

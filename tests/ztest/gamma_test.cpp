@@ -13,6 +13,7 @@
 #include "ref/geometry/geometry.hpp"
 #include "ref/scene/scene.hpp"
 #include "study/fit/fit.hpp"
+#include "tests/config_path.hpp"
 #include "vectors/frames/extremes.hpp"
 #include "vectors/standard_set.hpp"
 
@@ -191,15 +192,6 @@ TEST(Gamma, HasTdbvInThePlaceOfTheZBuffer) {
   EXPECT_EQ(delta.visibility, 0u);
   EXPECT_EQ(gamma.depth, 0u);
   EXPECT_EQ(gamma.visibility, 4096u * 3 * 29);
-}
-
-std::string refusal_of(const Config& numbers) {
-  try {
-    Configuration("x", numbers);
-  } catch (const ref::Error& e) {
-    return e.what();
-  }
-  return "accepted";
 }
 
 TEST(Gamma, IsRefusedWithoutDepthAndWithoutAWord) {

@@ -8,6 +8,7 @@
 
 #include "hls/pipeline/pipeline.hpp"
 #include "model/motion/motion_records.hpp"
+#include "model/pipeline/kernels/triangle_record.hpp"
 #include "model/shade/lighting_records.hpp"
 #include "model/texture/texture_records.hpp"
 #include "ref/error.hpp"
@@ -70,22 +71,6 @@ void check_frame(const ref::SnappedList& scene, const TriangleAnswers& answers, 
         "them");
   }
   if (F::kHasObjects) check_objects<F>(answers.objects, count);
-}
-
-template <class F>
-Triangle<F> triangle_record(const ref::SnappedTriangle& in, std::uint32_t index, std::uint32_t object) {
-  Triangle<F> t{};
-  t.index = from_raw<typename F::Index>(index);
-  if (F::kHasObjects) t.object = from_raw<typename F::Object>(object);
-  for (int v = 0; v < 3; ++v) {
-    t.x[v] = from_raw<typename F::Coord>(in.x[v]);
-    t.y[v] = from_raw<typename F::Coord>(in.y[v]);
-    t.depth[v] = from_raw<typename F::Depth>(in.depth[v]);
-    t.r[v] = from_raw<typename F::Colour>(in.rgb[v][0]);
-    t.g[v] = from_raw<typename F::Colour>(in.rgb[v][1]);
-    t.b[v] = from_raw<typename F::Colour>(in.rgb[v][2]);
-  }
-  return t;
 }
 
 // What geometry answers when triangle k is visible.
