@@ -236,7 +236,7 @@ void add_fit(CLI::App& app, int&) {
       "not\n"
       "snapped, nothing rounded. What is found is rendered again, and its RTL co-simulated, before it is written.\n"
       "  halfspace fit teapot --psnr 45 -o teapot.toml\n"
-      "  halfspace fit walk.glb --frames 0:49 --size 320x240 --max-lsb 2 -o walk.toml\n");
+      "  halfspace fit drone --frames 0:49 --size 320x240 --max-lsb 2 -o drone.toml\n");
   add_frame_options(command, options->input);
   command->add_option("--psnr", options->goal.psnr, "dB against the ideal picture, of each frame; 0: not asked")
       ->capture_default_str();

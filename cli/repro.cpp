@@ -267,7 +267,7 @@ void add_repro(CLI::App& app, int&) {
   command->footer(
       "  halfspace repro A                     index rendering: lightings, buffers and bandwidth of four "
       "architectures\n"
-      "  halfspace repro B castle model.glb    dual pipeline: instructions and time that deferred lighting saves\n"
+      "  halfspace repro B castle teapot       dual pipeline: instructions and time that deferred lighting saves\n"
       "  halfspace repro C gouraud --frames 31  frame-rate up-conversion: PSNR of frames that are made, ten "
       "animations\n"
       "  halfspace repro E                     static objects buffer: 180 M triangles, of which few objects move\n"

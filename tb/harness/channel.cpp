@@ -23,6 +23,12 @@ std::vector<std::uint32_t> word_at(const Port& port, std::size_t parts) {
 
 }  // namespace
 
+Segment segment_of(const Stream& stream, std::size_t frame, const std::string& note) {
+  std::size_t begin = 0;
+  for (std::size_t f = 0; f < frame; ++f) begin += stream.frame_words[f];
+  return {&stream, begin, begin + stream.frame_words[frame], frame, note};
+}
+
 Wires input_wires(const Model& model, const std::string& port, const Stream& stream) {
   return {&model.need(port + "_i", stream.bits), &model.need(port + "_valid_i", 1), model.find(port + "_ready_o")};
 }

@@ -26,6 +26,7 @@ struct Segment {
   std::size_t frame;
   std::string note;
 };
+Segment segment_of(const Stream& stream, std::size_t frame, const std::string& note = "");
 
 // The wires of a stream whose ports are <port>_i, <port>_valid_i and so on. Null where the model has none.
 struct Wires {

@@ -31,15 +31,11 @@ std::vector<Turn> turns_of(const Vectors& vectors, int times_last) {
   return turns;
 }
 
-Segment segment_of(const Stream& stream, const Turn& turn) {
-  std::size_t begin = 0;
-  for (std::size_t f = 0; f < turn.frame; ++f) begin += stream.frame_words[f];
-  return {&stream, begin, begin + stream.frame_words[turn.frame], turn.frame, turn.note};
-}
+Segment segment_of(const Stream& stream, const Turn& turn) { return segment_of(stream, turn.frame, turn.note); }
 
 // Whether a stream has the same words in two frames.
 bool same_words(const Stream& stream, std::size_t a, std::size_t b) {
-  const Segment first = segment_of(stream, {a, ""}), second = segment_of(stream, {b, ""});
+  const Segment first = segment_of(stream, a), second = segment_of(stream, b);
   if (first.end - first.begin != second.end - second.begin) return false;
   for (std::size_t n = 0; n < first.end - first.begin; ++n) {
     if (std::memcmp(stream.words[first.begin + n], stream.words[second.begin + n], stream.words.parts() * 4) != 0)

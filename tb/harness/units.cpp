@@ -15,12 +15,6 @@ constexpr std::uint64_t kClearPatience = 4'000'000;
 constexpr const char* kSecondScan = " (second scan: the first one has to leave the I-buffer cleared)";
 constexpr const char* kScanAfterClear = " (scan after a token with start_clear_i)";
 
-Segment segment_of(const Stream& stream, std::size_t frame, const std::string& note = "") {
-  std::size_t begin = 0;
-  for (std::size_t f = 0; f < frame; ++f) begin += stream.frame_words[f];
-  return {&stream, begin, begin + stream.frame_words[frame], frame, note};
-}
-
 // A unit on its bench, with the state that lasts from frame to frame.
 class UnitBench {
  public:

@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """What pages give to paste can be pasted as it is: each line of "What you can do with it" in the README, and the calls
-of halfspace in the other pages below. It ends well, writes what it names, and leaves the sources alone.
+of halfspace in the other pages below; and the examples of `halfspace --help`. It ends well, writes what it names, and
+leaves the sources alone.
 Usage: paste_test.py HALFSPACE ROOT"""
 import pathlib
 import re
+import subprocess
 import sys
 
 from pasting import copy_of, paste, strewn
@@ -24,6 +26,13 @@ def blocks(text):
 def readme_lines(text):
     section = re.search(r"^## What you can do with it\n(.*?)^## ", text, re.DOTALL | re.MULTILINE)
     return blocks(section.group(1)) if section else []
+
+
+def help_lines(halfspace):
+    """The examples of the program, and what they are for as a comment."""
+    text = subprocess.run([halfspace, "--help"], capture_output=True, text=True, check=True).stdout
+    found = re.findall(r"^  (halfspace \S.*?)  +(\S.*)$", text, re.MULTILINE)
+    return [f"build/cli/{call}  # {what}" for call, what in found]
 
 
 def written(line):
@@ -54,6 +63,7 @@ def main():
     found = len(lines["README.md"])
     faults = [] if found == README_LINES else [f"README.md: {found} lines to paste, {README_LINES} were expected"]
     lines.update((page, blocks((root / page).read_text())) for page in PAGES)
+    lines["halfspace --help"] = help_lines(halfspace)
     with copy_of(root, halfspace) as folder:
         for page, of_page in lines.items():
             if not of_page:

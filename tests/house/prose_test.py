@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Pages can be read: lines within 120 columns, links to headings and terms that are there, paths that are there, and
-each special word in the glossary. It shows first, on small pages, that it finds what is wrong.
+"""Pages can be read: lines within 120 columns, links to headings and terms that are there, paths and tests that are
+there, and each special word in the glossary. It shows first, on small pages, that it finds what is wrong.
 Usage: prose_test.py ROOT"""
 import pathlib
 import re
@@ -19,6 +19,7 @@ seeded-fault room snap plane""".split()
 FOLDERS = "hls|rtl|ref|model|vectors|study|cli|tb|tests|docs|setup"
 # Of the unit that docs/add_a_unit.md adds.
 NEW_FILES = re.compile("grey")
+FUNCTIONS = {"halfspace_test"}  # of CMake, named as tests are
 
 
 def pages(root):
@@ -65,6 +66,13 @@ def path_faults(root, name, text):
             yield f"{name}: names {path}, which is not there"
 
 
+def test_faults(root, name, text):
+    there = {path.stem for path in (root / "tests").rglob("*_test.*")} | FUNCTIONS
+    for test in set(re.findall(r"`(\w+_test)`", text)) - there:
+        if not NEW_FILES.search(test):
+            yield f"{name}: names {test}, and there is no such file below tests/"
+
+
 def term_faults(name, text, terms):
     prose = without_code(text)
     used = False
@@ -95,14 +103,15 @@ def faults(root):
         name, text = str(path.relative_to(root)), path.read_text()
         looked += len(text.splitlines())
         found += [*line_faults(name, text), *link_faults(name, path, text), *term_faults(name, text, terms)]
-        found += path_faults(root, name, text)
+        found += [*path_faults(root, name, text), *test_faults(root, name, text)]
         if name == "README.md":
             found += readme_faults(text)
     return found, looked
 
 
 WRONG = {"README.md": ("A stamp. [x](docs/glossary.md#gone) " + "long " * 30, ["does not link", "#gone", "columns"]),
-         "docs/a.md": ("The Q-buffer and TdbS in `hls/no/such.hpp`\n", ["Q-buffer", "no link", "hls/no/such.hpp"])}
+         "docs/a.md": ("The Q-buffer and TdbS in `hls/no/such.hpp`, by `no_test`\n",
+                       ["Q-buffer", "no link", "hls/no/such.hpp", "no_test"])}
 
 
 def self_test():
