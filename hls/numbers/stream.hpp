@@ -20,6 +20,7 @@
 #endif
 
 #ifdef HS_STREAM
+#define HS_INLINE
 namespace halfspace {
 template <class T>
 using Stream = HS_STREAM<T>;
@@ -37,6 +38,8 @@ struct Loaded {};
 #include <vector>
 #define HS_PIPELINE(interval)
 #define HS_UNROLL
+// Of a step of a process: its state stays in registers where the loop about it is compiled.
+#define HS_INLINE __attribute__((always_inline))
 
 namespace halfspace {
 

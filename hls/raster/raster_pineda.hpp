@@ -130,111 +130,180 @@ Depths:
   return any != 0;
 }
 
+// What the edges that fail at a stamp say of the way to a near one in its row.
 template <class F>
-void raster_pineda(const Frame<F>& frame, Stream<Setup<F>>& setup, Stream<Stamp<F>>& stamp,
-                   Stream<TriangleDepth<F>>& depth_plane, Probe<int>& visits) {
-  const Setup<F> in = setup.read();
-  if (F::kTestsPlanes) {
-    TriangleDepth<F> plane;
-    plane.index = in.index;
-    plane.x = in.x_start;
-    plane.y = in.y_min;
-    plane.depth = in.depth;
-    plane.depth_dx = in.depth_dx;
-    plane.depth_dy = in.depth_dy;
-    depth_plane.write(plane);
-  }
-  const WalkSteps<F> steps = walk_steps(in);
-  const int x_min = int(raw(in.x_min)), x_max = int(raw(in.x_max)), y_max = int(raw(in.y_max));
-
-  WalkPosition<F> at, left, below;
-  at.x = int(raw(in.x_start));
-  at.y = int(raw(in.y_min));
-  at.depth = in.depth;
-Start:
+struct SearchWay {
+  bool right, left;  // a near stamp may lie there
+};
+template <class F>
+SearchWay<F> search_way(const Setup<F>& in, const bool (&edge_near)[3]) {
+  bool want_right = false, bar_right = false, level = false;
+Edges:
   for (int i = 0; i < 3; ++i) {
     HS_UNROLL
-    at.e[i] = in.e[i];
+    const auto dx = raw(in.e_dx[i]);
+    want_right = want_right || (!edge_near[i] && dx > 0);
+    bar_right = bar_right || (!edge_near[i] && dx <= 0);
+    level = level || (!edge_near[i] && dx == 0);
   }
-  left = below = at;
-  bool left_near = false, below_near = false;
+  SearchWay<F> way;
+  way.right = !bar_right;
+  way.left = !want_right && !level;
+  return way;
+}
 
-  enum Mode { kSearch, kSearchRight, kSearchLeft, kRight, kLeft };
-  Mode mode = kSearch;
+// The process: take() a triangle, visit() while walks(), then finish(). Each is a step of one cycle that sends a stamp
+// at most.
+template <class F>
+class RasterPineda {
+ public:
+  HS_INLINE void take(const Setup<F>& in) {
+    in_ = in;
+    steps_ = walk_steps(in);
+    at_.x = int(raw(in.x_start));
+    at_.y = int(raw(in.y_min));
+    at_.depth = in.depth;
+  Start:
+    for (int i = 0; i < 3; ++i) {
+      HS_UNROLL
+      at_.e[i] = in.e[i];
+    }
+    left_ = below_ = at_;
+    left_near_ = below_near_ = pending_ = false;
+    mode_ = kSearch;
+    found_ = Stamp<F>{};
+    found_.index = in.index;
+    walks_ = raw(in.empty) == 0;
+  }
 
-  // The stamp found last waits for the next one, or for the end, which makes it the last of the triangle.
-  Stamp<F> found{};
-  found.index = in.index;
-  bool pending = false;
+  // Of the triangle, for a Z-test that needs it.
+  TriangleDepth<F> depth_plane() const {
+    TriangleDepth<F> plane;
+    plane.index = in_.index;
+    plane.x = in_.x_start;
+    plane.y = in_.y_min;
+    plane.depth = in_.depth;
+    plane.depth_dx = in_.depth_dx;
+    plane.depth_dy = in_.depth_dy;
+    return plane;
+  }
 
-  const int max_cycles = 2 * F::kStamps + F::kStampsX + F::kStampsY;  // no row is entered or searched twice
-  int cycle = 0;
-  bool done = raw(in.empty) != 0;
-Walk:
-  for (; cycle < max_cycles && !done; ++cycle) {
-    HS_PIPELINE(1)
-    const bool near_0 = edge_near(at, steps, 0), near_1 = edge_near(at, steps, 1), near_2 = edge_near(at, steps, 2);
-    bool row_done = false;
-    if (near_0 && near_1 && near_2) {
+  bool walks() const { return walks_; }
+
+  // Visits a stamp. Returns whether `out` is to be sent: the stamp found last waits for the next one, or for finish().
+  HS_INLINE bool visit(const Frame<F>& frame, Stamp<F>& out) {
+    const bool near[3] = {edge_near(at_, steps_, 0), edge_near(at_, steps_, 1), edge_near(at_, steps_, 2)};
+    bool row_done = false, sends = false;
+    if (near[0] && near[1] && near[2]) {
       Stamp<F> covered;
       covered.last = from_raw<Bit>(0);
       covered.triangle_last = from_raw<Bit>(0);
-      covered.index = in.index;
-      if (cover(frame, at, steps, covered)) {
-        if (pending) stamp.write(found);
-        found = covered;
-        pending = true;
+      covered.index = in_.index;
+      if (cover(frame, at_, steps_, covered)) {
+        sends = pending_;
+        out = found_;
+        found_ = covered;
+        pending_ = true;
       }
-      const WalkPosition<F> right_of = walk(at, steps, 1, 0);
-      const WalkPosition<F> left_of = walk(at, steps, -1, 0);
-      const bool can_go_left = at.x > x_min && near(left_of, steps);
-      if (!below_near && at.y < y_max) {
-        below = walk(at, steps, 0, 1);
-        below_near = near(below, steps);
-      }
-      if (mode != kRight && mode != kLeft) {
-        left = left_of;
-        left_near = can_go_left;
-      }
-      if (mode != kLeft && at.x < x_max && near(right_of, steps)) {
-        at = right_of;
-        mode = kRight;
-      } else if (mode != kLeft && left_near) {
-        at = left;
-        mode = kLeft;
-      } else if (mode == kLeft && can_go_left) {
-        at = left_of;
-      } else {
-        row_done = true;
-      }
+      row_done = !walk_on();
     } else {
-      const bool want_right =
-          (!near_0 && raw(in.e_dx[0]) > 0) || (!near_1 && raw(in.e_dx[1]) > 0) || (!near_2 && raw(in.e_dx[2]) > 0);
-      const bool bar_right =
-          (!near_0 && raw(in.e_dx[0]) <= 0) || (!near_1 && raw(in.e_dx[1]) <= 0) || (!near_2 && raw(in.e_dx[2]) <= 0);
-      const bool bar_left = want_right || (!near_0 && raw(in.e_dx[0]) == 0) || (!near_1 && raw(in.e_dx[1]) == 0) ||
-                            (!near_2 && raw(in.e_dx[2]) == 0);
-      if (!bar_right && mode != kSearchLeft && at.x < x_max) {
-        at = walk(at, steps, 1, 0);
-        mode = kSearchRight;
-      } else if (!bar_left && mode != kSearchRight && at.x > x_min) {
-        at = walk(at, steps, -1, 0);
-        mode = kSearchLeft;
-      } else {
-        row_done = true;
-      }
+      row_done = !search_on(near);
     }
     if (row_done) {
-      done = at.y == y_max;
-      at = below_near ? below : walk(at, steps, 0, 1);
-      below_near = false;
-      mode = kSearch;
+      walks_ = at_.y != int(raw(in_.y_max));
+      at_ = below_near_ ? below_ : walk(at_, steps_, 0, 1);
+      below_near_ = false;
+      mode_ = kSearch;
     }
+    return sends;
   }
-  found.triangle_last = from_raw<Bit>(1);
-  found.last = in.last;
-  stamp.write(found);
-  visits.write(cycle);
+
+  // The last stamp of the triangle, with an empty mask if it has none.
+  HS_INLINE void finish(Stamp<F>& out) const {
+    out = found_;
+    out.triangle_last = from_raw<Bit>(1);
+    out.last = in_.last;
+  }
+
+ private:
+  enum Mode { kSearch, kSearchRight, kSearchLeft, kRight, kLeft };
+
+  // From a near stamp to the next one of its row. Returns whether there is one.
+  HS_INLINE bool walk_on() {
+    const WalkPosition<F> right_of = walk(at_, steps_, 1, 0);
+    const WalkPosition<F> left_of = walk(at_, steps_, -1, 0);
+    const bool can_go_left = at_.x > int(raw(in_.x_min)) && near(left_of, steps_);
+    if (!below_near_ && at_.y < int(raw(in_.y_max))) {
+      below_ = walk(at_, steps_, 0, 1);
+      below_near_ = near(below_, steps_);
+    }
+    if (mode_ != kRight && mode_ != kLeft) {
+      left_ = left_of;
+      left_near_ = can_go_left;
+    }
+    if (mode_ != kLeft && at_.x < int(raw(in_.x_max)) && near(right_of, steps_)) {
+      at_ = right_of;
+      mode_ = kRight;
+    } else if (mode_ != kLeft && left_near_) {
+      at_ = left_;
+      mode_ = kLeft;
+    } else if (mode_ == kLeft && can_go_left) {
+      at_ = left_of;
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  // From a stamp that is not near towards one. Returns whether the row may still have one.
+  HS_INLINE bool search_on(const bool (&near)[3]) {
+    const SearchWay<F> way = search_way(in_, near);
+    if (way.right && mode_ != kSearchLeft && at_.x < int(raw(in_.x_max))) {
+      at_ = walk(at_, steps_, 1, 0);
+      mode_ = kSearchRight;
+    } else if (way.left && mode_ != kSearchRight && at_.x > int(raw(in_.x_min))) {
+      at_ = walk(at_, steps_, -1, 0);
+      mode_ = kSearchLeft;
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  Setup<F> in_;
+  WalkSteps<F> steps_;
+  WalkPosition<F> at_, left_, below_;
+  bool left_near_, below_near_;
+  Mode mode_;
+  Stamp<F> found_;
+  bool pending_, walks_;
+};
+
+// One triangle.
+template <class F>
+void raster_pineda(const Frame<F>& frame, Stream<Setup<F>>& setup, Stream<Stamp<F>>& stamp,
+                   Stream<TriangleDepth<F>>& depth_plane, Probe<int>& visits) {
+  RasterPineda<F> unit;
+  unit.take(setup.read());
+  if (F::kTestsPlanes) depth_plane.write(unit.depth_plane());
+  const int max_visits = 2 * F::kStamps + F::kStampsX + F::kStampsY;  // no row is entered or searched twice
+  int count = 0;
+  bool ends = false;
+Walk:
+  for (int n = 0; n <= max_visits && !ends; ++n) {
+    HS_PIPELINE(1)
+    Stamp<F> out;
+    ends = !unit.walks();
+    bool sends = ends;
+    if (ends) {
+      unit.finish(out);
+    } else {
+      sends = unit.visit(frame, out);
+      ++count;
+    }
+    if (sends) stamp.write(out);
+  }
+  visits.write(count);
 }
 
 }  // namespace halfspace
