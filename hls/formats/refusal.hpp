@@ -103,7 +103,7 @@ constexpr Refusal word_refusal(const Config& c) {
   if (2 * position + 3 > 64) return Refusal::kEdgeWord;
   if (numerator + 2 > 64) return Refusal::kNumeratorWord;  // the sum of its two products, as types grow
   if (numerator - 24 + c.reciprocal_bits + 1 > 63 || 24 + c.reciprocal_bits + 1 > 63) return Refusal::kGradientWord;
-  // n of gradient_product, where D is largest: the half that is added is 2^(n−1).
+  // n of rounded_product, where D is largest.
   const int n = 2 * position - 1 + c.reciprocal_bits - c.subpixel_bits;
   if ((has_depth(c) && n - c.depth_fraction > 63) || (has_colour_planes(c) && n - c.colour_fraction > 63) ||
       (is_phong(c) && n - c.normal_fraction > 63) || (has_coordinates(c) && n - c.coordinate_fraction > 63)) {

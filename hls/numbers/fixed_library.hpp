@@ -25,6 +25,14 @@ struct LibraryFixed {
   using Carrier = fixed_detail::Carrier<W, S>;
   using Number = typename Library::template Number<W, I, S>;
 
+  // Of the same kind.
+  template <int W2, int I2, bool S2>
+  using Other = LibraryFixed<Library, W2, I2, S2>;
+  template <int More>
+  using Wider = LibraryFixed<Library, W + More, I + More, S>;
+  using Whole = LibraryFixed<Library, I, I, S>;
+  using Unsigned = LibraryFixed<Library, W, I, false>;
+
   static constexpr int width() { return W; }
   static constexpr int fraction() { return W - I; }
 
@@ -44,6 +52,14 @@ struct LibraryFixed {
   static LibraryFixed from_result(const Result& result) {
     LibraryFixed x;
     x.number = Library::template natural<W, I, S>(result);
+    return x;
+  }
+  // a·b, wrapped.
+  template <class A, class B>
+  static LibraryFixed from_product(const A& a, const B& b) {
+    static_assert(kFraction == A::kFraction + B::kFraction, "the last place of the product is that of the result");
+    LibraryFixed x;
+    x.number = a.number * b.number;
     return x;
   }
 };
@@ -88,6 +104,19 @@ HS_FIXED_COMPARE(!=)
 template <class L, int W, int I>
 LibraryFixed<L, W + 1, I + 1, true> operator-(const LibraryFixed<L, W, I, true>& a) {
   return LibraryFixed<L, W + 1, I + 1, true>::from_result(-a.number);
+}
+
+template <class L, int W, int I, bool S>
+LibraryFixed<L, W, I, S> select(bool which, const LibraryFixed<L, W, I, S>& a, const LibraryFixed<L, W, I, S>& b) {
+  return which ? a : b;
+}
+template <class L, int W, int I, bool S>
+LibraryFixed<L, W, I, S> shift_left(const LibraryFixed<L, W, I, S>& x, int n) {
+  return LibraryFixed<L, W, I, S>::from_result(x.number << n);
+}
+template <class L, int W, int I, bool S>
+LibraryFixed<L, W, I, S> shift_right(const LibraryFixed<L, W, I, S>& x, int n) {
+  return LibraryFixed<L, W, I, S>::from_result(x.number >> n);
 }
 
 }  // namespace halfspace

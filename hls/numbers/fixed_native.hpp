@@ -27,6 +27,13 @@ struct Fixed {
   static constexpr int kFraction = W - I;
   static constexpr bool kSigned = S;
   using Carrier = fixed_detail::Carrier<W, S>;
+  // Of the same kind.
+  template <int W2, int I2, bool S2>
+  using Other = Fixed<W2, I2, S2>;
+  template <int More>
+  using Wider = Fixed<W + More, I + More, S>;
+  using Whole = Fixed<I, I, S>;
+  using Unsigned = Fixed<W, I, false>;
 
   // For kernels, whose formats may be chosen at run time in a simulation.
   static constexpr int width() { return W; }
@@ -51,6 +58,13 @@ struct Fixed {
     Fixed x{};
     x.bits = fixed_detail::wrap<W, S>(bits);
     return x;
+  }
+  // a·b, wrapped.
+  template <class A, class B>
+  static constexpr Fixed from_product(const A& a, const B& b) {
+    static_assert(kFraction == A::kFraction + B::kFraction, "the last place of the product is that of the result");
+    using U = fixed_detail::Carrier<W, false>;
+    return from_bits(U(a.bits) * U(b.bits));
   }
 
  private:
@@ -123,6 +137,24 @@ constexpr Fixed<W + 1, I + 1, true> operator-(const Fixed<W, I, true>& a) {
   T negative{};
   negative.bits = -typename T::Carrier(a.bits);
   return negative;
+}
+
+// Of the carriers: of two objects, a compiler branches.
+template <int W, int I, bool S>
+constexpr Fixed<W, I, S> select(bool which, const Fixed<W, I, S>& a, const Fixed<W, I, S>& b) {
+  Fixed<W, I, S> result{};
+  result.bits = which ? a.bits : b.bits;
+  return result;
+}
+template <int W, int I, bool S>
+constexpr Fixed<W, I, S> shift_left(const Fixed<W, I, S>& x, int n) {
+  return Fixed<W, I, S>::from_bits(std::uint64_t(x.bits) << n);
+}
+template <int W, int I, bool S>
+constexpr Fixed<W, I, S> shift_right(const Fixed<W, I, S>& x, int n) {
+  Fixed<W, I, S> result{};
+  result.bits = typename Fixed<W, I, S>::Carrier(fixed_detail::Carrier<64, S>(x.bits) >> n);
+  return result;
 }
 
 }  // namespace native

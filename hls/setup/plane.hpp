@@ -16,6 +16,7 @@
 #define HALFSPACE_HLS_SETUP_PLANE_HPP_
 
 #include "hls/formats/records.hpp"
+#include "hls/numbers/arithmetic.hpp"
 #include "hls/setup/reciprocal.hpp"
 
 namespace halfspace {
@@ -28,11 +29,15 @@ struct PlaneBase {
   typename F::Delta dx, dy;              // where the plane starts, from vertex 0
 };
 
+template <class F>
+typename F::Coord half_pixel() {
+  return from_raw<typename F::Coord>(1 << (F::kSubpixelBits - 1));
+}
+
 // Of planes that start at the centre of pixel (0, 0) of the frame.
 template <class F>
 PlaneBase<F> frame_base(const Attributes<F>& in) {
-  using Coord = typename F::Coord;
-  const Coord centre = from_raw<Coord>(1 << (F::kSubpixelBits - 1));
+  const typename F::Coord centre = half_pixel<F>();
   PlaneBase<F> base;
   base.dx1 = in.dx1;
   base.dy1 = in.dy1;
@@ -67,50 +72,36 @@ struct Plane {
   typename Channel::Gradient dx, dy;
 };
 
-// floor(N · R · 2^−n + ½) modulo the width of Gradient. The product has up to 77 bits, so N is cut in two:
-// with N = H·2^24 + L and t = L·R + 2^(n−1), the sum N·R + 2^(n−1) is (H·R + floor(t / 2^24))·2^24 + t mod 2^24.
-template <class F, class Gradient>
-Gradient gradient_product(std::int64_t numerator, const typename F::Reciprocal& reciprocal, int n) {
-  constexpr int kCut = 24;
-  constexpr std::int64_t kLow = (std::int64_t(1) << kCut) - 1;
-  const std::int64_t r = raw(reciprocal);
-  const std::int64_t half = n > 0 ? std::int64_t(1) << (n - 1) : 0;
-  const std::int64_t low = (numerator & kLow) * r + half;
-  const std::int64_t high = (numerator >> kCut) * r + (low >> kCut);
-  const std::uint64_t wide =
-      std::uint64_t(high) << (n < kCut ? kCut - n : 0) | std::uint64_t((low & kLow) >> (n < kCut ? n : 0));
-  return from_raw<Gradient>(n < kCut ? std::int64_t(wide) : high >> (n - kCut));
-}
-
+// Two products of a value by a distance, one by R and one of a start, for x and then for y: a tool may build each once.
 template <class F, class Channel>
 Plane<Channel> plane_setup(const PlaneBase<F>& base, const typename Channel::Value& v0,
                            const typename Channel::Value& v1, const typename Channel::Value& v2) {
-  using Numerator = typename Channel::Numerator;
   using Start = typename Channel::Start;
   using StartGradient = typename Channel::StartGradient;
   const int g = Channel::PlaneValue::fraction();
-
-  const auto dv1 = v1 - v0;
-  const auto dv2 = v2 - v0;
-  const Numerator numerator_x = dv1 * base.dy2 - dv2 * base.dy1;
-  const Numerator numerator_y = dv2 * base.dx1 - dv1 * base.dx2;
   // A sub-pixel over a sub-pixel squared, times 2^f sub-pixels in a pixel, to g fraction bits of N·R·2^−(r+s).
   const int n = int(raw(base.inverse.shift)) + F::kReciprocalFraction - F::kSubpixelBits - g;
 
-  const StartGradient dx = gradient_product<F, StartGradient>(raw(numerator_x), base.inverse.reciprocal, n);
-  const StartGradient dy = gradient_product<F, StartGradient>(raw(numerator_y), base.inverse.reciprocal, n);
-  Plane<Channel> plane;
-  plane.dx = dx;
-  plane.dy = dy;
+  const auto dv1 = v1 - v0;
+  const auto dv2 = v2 - v0;
+  // v0 + ½. Dropping the low f bits of the sum at the end changes no rounded value: every later step is a multiple of
+  // 2^−g.
+  Start start = Start(v0) + shift_left(from_raw<Start>(1), Start::fraction() - 1);
+  StartGradient gradient[2];
+Axes:
+  for (int axis = 0; axis < 2; ++axis) {
+    const bool y = axis == 1;
+    const auto first = select(y, dv2, dv1), second = select(y, dv1, dv2);
+    const typename F::Delta of_first = select(y, base.dx1, base.dy2), of_second = select(y, base.dx2, base.dy1);
+    const typename Channel::Numerator numerator = first * of_first - second * of_second;
+    gradient[axis] = rounded_product<StartGradient>(numerator, base.inverse.reciprocal, n);
+    start = start + product_modulo<Start>(gradient[axis], select(y, base.dy, base.dx));
+  }
 
-  // Products modulo the width of Start. Dropping their low f bits at the end changes no rounded value: every later
-  // step is a multiple of 2^−g.
-  const Start along_x = from_raw<Start>(std::uint64_t(raw(dx)) * std::uint64_t(raw(base.dx)));
-  const Start along_y = from_raw<Start>(std::uint64_t(raw(dy)) * std::uint64_t(raw(base.dy)));
-  // v0 + ½, the last place of Start being 2^−(f+g).
-  const Start first = from_raw<Start>((std::uint64_t(raw(v0)) * 2 + 1) << (Start::fraction() - 1));
-  const Start sum_x = first + along_x;
-  plane.start = sum_x + along_y;
+  Plane<Channel> plane;
+  plane.start = start;
+  plane.dx = gradient[0];
+  plane.dy = gradient[1];
   return plane;
 }
 

@@ -3,12 +3,12 @@
 //
 //   s = floor(log2 D),  R = floor(2^(r+s) / D + ½),  D >= 1 in units of the last place of F::Area
 //
-// Restoring division, a quotient bit an iteration: r + 2 of them, the last for the rounding.
+// Restoring division, a quotient bit an iteration: r + 1 of them, and one for the rounding.
 #ifndef HALFSPACE_HLS_SETUP_RECIPROCAL_HPP_
 #define HALFSPACE_HLS_SETUP_RECIPROCAL_HPP_
 
 #include "hls/formats/records.hpp"
-#include "hls/numbers/stream.hpp"
+#include "hls/numbers/arithmetic.hpp"
 
 namespace halfspace {
 
@@ -20,33 +20,27 @@ struct AreaReciprocal {
 
 template <class F>
 AreaReciprocal<F> area_reciprocal(const typename F::Area& area) {
-  const int top = F::Area::width() - 1;
-  // Normalize: the leading one moves to bit 2c − 1, by halves of the word.
-  std::uint64_t divisor = raw(area);
-  int shift = top;
-Normalize:
-  for (int step = 32; step > 0; step /= 2) {
-    HS_UNROLL
-    if (step <= top && divisor >> (top + 1 - step) == 0) {
-      divisor <<= step;
-      shift -= step;
-    }
-  }
+  using Area = typename F::Area;
+  using Reciprocal = typename F::Reciprocal;
+  using Remainder = Wider<Area, 1>;
+  const Normalized<Area> divisor = normalize(area);
 
   // remainder < 2·divisor <= 2^(2c+1) throughout.
-  std::uint64_t remainder = std::uint64_t(1) << top;
-  std::uint64_t quotient = 0;
+  Remainder remainder = shift_left(from_raw<Remainder>(1), Area::width() - 1);
+  Reciprocal quotient{};
 Divide:
-  for (int i = 0; i < F::kReciprocalFraction + 2; ++i) {
+  for (int i = 0; i < F::kReciprocalFraction + 1; ++i) {
     HS_PIPELINE(1)
-    const bool one = remainder >= divisor;
-    quotient = quotient << 1 | std::uint64_t(one);
-    remainder = (one ? remainder - divisor : remainder) << 1;
+    const bool one = remainder >= divisor.number;
+    const Area rest = select(one, remainder - divisor.number, remainder - Area());
+    quotient = shift_in(quotient, one);
+    remainder = rest + rest;
   }
+  const bool up = remainder >= divisor.number;
 
   AreaReciprocal<F> result;
-  result.shift = from_raw<typename F::Shift>(shift);
-  result.reciprocal = from_raw<typename F::Reciprocal>((quotient + 1) >> 1);
+  result.shift = from_raw<typename F::Shift>(Area::width() - 1 - divisor.zeros);
+  result.reciprocal = quotient + from_raw<Reciprocal>(up);
   return result;
 }
 

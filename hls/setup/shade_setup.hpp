@@ -24,18 +24,19 @@ Planes<F> colour_planes(const Attributes<F>& in, const typename F::Colour (&r)[3
     out.b = b[0];
   } else if (!raw(in.empty)) {
     const PlaneBase<F> base = frame_base(in);
-    const auto red = plane_setup<F, Channel>(base, r[0], r[1], r[2]);
-    const auto green = plane_setup<F, Channel>(base, g[0], g[1], g[2]);
-    const auto blue = plane_setup<F, Channel>(base, b[0], b[1], b[2]);
-    out.r = red.start;
-    out.r_dx = red.dx;
-    out.r_dy = red.dy;
-    out.g = green.start;
-    out.g_dx = green.dx;
-    out.g_dy = green.dy;
-    out.b = blue.start;
-    out.b_dx = blue.dx;
-    out.b_dy = blue.dy;
+    const typename F::Colour value[3][3] = {{r[0], r[1], r[2]}, {g[0], g[1], g[2]}, {b[0], b[1], b[2]}};
+    Plane<Channel> plane[3];
+  Channels:
+    for (int i = 0; i < 3; ++i) plane[i] = plane_setup<F, Channel>(base, value[i][0], value[i][1], value[i][2]);
+    out.r = plane[0].start;
+    out.r_dx = plane[0].dx;
+    out.r_dy = plane[0].dy;
+    out.g = plane[1].start;
+    out.g_dx = plane[1].dx;
+    out.g_dy = plane[1].dy;
+    out.b = plane[2].start;
+    out.b_dx = plane[2].dx;
+    out.b_dy = plane[2].dy;
   }
   return out;
 }

@@ -40,7 +40,7 @@ OrderedTriangle<F> order_vertices(const Triangle<F>& in) {
   const typename F::Delta dxa = in.x[a] - x0, dya = in.y[a] - y0;
   const typename F::Delta dxb = in.x[b] - x0, dyb = in.y[b] - y0;
   const typename F::SignedArea cross = dxa * dyb - dya * dxb;
-  const bool swap = raw(cross) < 0;
+  const bool swap = is_negative(cross);
 
   OrderedTriangle<F> out;
   out.vertices.last = in.last;
@@ -62,30 +62,36 @@ Vertices:
       out.vertices.b[i] = in.b[colour];
     }
   }
-  out.dx1 = swap ? dxb : dxa;
-  out.dy1 = swap ? dyb : dya;
-  out.dx2 = swap ? dxa : dxb;
-  out.dy2 = swap ? dya : dyb;
-  out.area = from_raw<typename F::Area>(swap ? -raw(cross) : raw(cross));
+  out.dx1 = select(swap, dxb, dxa);
+  out.dy1 = select(swap, dyb, dya);
+  out.dx2 = select(swap, dxa, dxb);
+  out.dy2 = select(swap, dya, dyb);
+  out.area = magnitude(cross);
   return out;
 }
+
+// A whole pixel of a position, or the one beyond.
+template <class F>
+using PixelNumber = Whole<Wider<typename F::Coord, 1>>;
 
 // The pixels whose centres lie in [min, max], cut to 0 … size − 1: first > last if there are none.
 template <class F>
 struct PixelRange {
-  int first, last;
+  PixelNumber<F> first, last;
 };
 template <class F>
 PixelRange<F> pixel_range(const typename F::Coord& a, const typename F::Coord& b, const typename F::Coord& c,
-                          int size) {
-  const int half = 1 << (F::kSubpixelBits - 1);
-  const int low = int(raw(a < b ? (a < c ? a : c) : (b < c ? b : c)));
-  const int high = int(raw(a > b ? (a > c ? a : c) : (b > c ? b : c)));
-  const int first = (low + half - 1) >> F::kSubpixelBits;  // ceil(low − ½)
-  const int last = (high - half) >> F::kSubpixelBits;      // floor(high − ½)
+                          const PixelNumber<F>& size) {
+  using Coord = typename F::Coord;
+  const Coord half = half_pixel<F>();
+  const Coord low_ab = select(a < b, a, b), high_ab = select(a < b, b, a);
+  const Coord low = select(low_ab < c, low_ab, c);
+  const Coord high = select(high_ab < c, c, high_ab);
+  const PixelNumber<F> first = low + Coord(half - from_raw<Coord>(1));  // ceil(low − ½)
+  const PixelNumber<F> last = high - half;                              // floor(high − ½)
   PixelRange<F> range;
-  range.first = first < 0 ? 0 : first;
-  range.last = last > size - 1 ? size - 1 : last;
+  range.first = select(is_negative(first), PixelNumber<F>(), first);
+  range.last = select(last < size, last, PixelNumber<F>(size - from_raw<PixelNumber<F>>(1)));
   return range;
 }
 
@@ -96,8 +102,8 @@ typename F::EdgeStep edge_start(const typename F::Coord& x, const typename F::Co
   const typename F::Delta along_x = px - x;
   const typename F::Delta along_y = py - y;
   const typename F::Edge cross = dx * along_y - dy * along_x;
-  const bool inclusive = raw(dy) < 0 || (raw(dy) == 0 && raw(dx) > 0);
-  const typename F::Edge biased = from_raw<typename F::Edge>(raw(cross) - (inclusive ? 0 : 1));
+  const bool inclusive = is_negative(dy) || (is_zero(dy) && dx > typename F::Delta());
+  const typename F::Edge biased = cross - from_raw<typename F::Edge>(inclusive ? 0 : 1);
   return biased;
 }
 
@@ -109,9 +115,9 @@ void triangle_setup(const Frame<F>& frame, Stream<Triangle<F>>& triangle, Stream
   const Coord* x = t.vertices.x;
   const Coord* y = t.vertices.y;
 
-  const PixelRange<F> columns = pixel_range<F>(x[0], x[1], x[2], int(raw(frame.width)));
-  const PixelRange<F> rows = pixel_range<F>(y[0], y[1], y[2], int(raw(frame.height)));
-  const bool empty = raw(t.area) == 0 || columns.first > columns.last || rows.first > rows.last;
+  const PixelRange<F> columns = pixel_range<F>(x[0], x[1], x[2], frame.width);
+  const PixelRange<F> rows = pixel_range<F>(y[0], y[1], y[2], frame.height);
+  const bool empty = is_zero(t.area) || columns.first > columns.last || rows.first > rows.last;
 
   Setup<F> out{};
   out.last = t.vertices.last;
@@ -124,22 +130,23 @@ void triangle_setup(const Frame<F>& frame, Stream<Triangle<F>>& triangle, Stream
 
   if (!empty) {
     // Below the topmost vertex, the triangle's first row is nearest to it.
-    const int top = int(raw(x[0])) >> F::kSubpixelBits;
-    const int start = top < columns.first ? columns.first : top > columns.last ? columns.last : top;
-    const int x_start = start >> F::kLog2LanesX, y_start = rows.first >> F::kLog2LanesY;
-    out.x_min = from_raw<typename F::X>(columns.first >> F::kLog2LanesX);
-    out.x_max = from_raw<typename F::X>(columns.last >> F::kLog2LanesX);
-    out.x_start = from_raw<typename F::X>(x_start);
-    out.y_min = from_raw<typename F::Y>(y_start);
-    out.y_max = from_raw<typename F::Y>(rows.last >> F::kLog2LanesY);
+    const PixelNumber<F> top = x[0];
+    const PixelNumber<F> start =
+        select(top < columns.first, columns.first, select(top > columns.last, columns.last, top));
+    const PixelNumber<F> x_start = shift_right(start, F::kLog2LanesX),
+                         y_start = shift_right(rows.first, F::kLog2LanesY);
+    out.x_min = shift_right(columns.first, F::kLog2LanesX);
+    out.x_max = shift_right(columns.last, F::kLog2LanesX);
+    out.x_start = x_start;
+    out.y_min = y_start;
+    out.y_max = shift_right(rows.last, F::kLog2LanesY);
 
-    const int half = 1 << (F::kSubpixelBits - 1);
-    const Coord px = from_raw<Coord>((x_start << (F::kLog2LanesX + F::kSubpixelBits)) + half);
-    const Coord py = from_raw<Coord>((y_start << (F::kLog2LanesY + F::kSubpixelBits)) + half);
+    const Coord px = Coord(shift_left(x_start, F::kLog2LanesX)) + half_pixel<F>();
+    const Coord py = Coord(shift_left(y_start, F::kLog2LanesY)) + half_pixel<F>();
 
   Edges:
     for (int i = 0; i < 3; ++i) {
-      HS_UNROLL
+      HS_PIPELINE(1)
       const int next = i == 2 ? 0 : i + 1;
       const typename F::Delta dx = x[next] - x[i], dy = y[next] - y[i];
       out.e[i] = edge_start<F>(x[i], y[i], dx, dy, px, py);

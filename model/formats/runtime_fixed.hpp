@@ -26,13 +26,18 @@ constexpr std::int64_t runtime_scale(std::int64_t bits, int by) {
   return by >= 0 ? std::int64_t(std::uint64_t(bits) << by) : bits >> -by;
 }
 
-template <NumberFormat FormatTable::*Entry, bool Signed>
+// More: bits before the point that the table's number does not have. IsWhole: without those behind it.
+template <NumberFormat FormatTable::*Entry, bool Signed, int More = 0, bool IsWhole = false>
 struct RuntimeFixed {
   static constexpr bool kSigned = Signed;
   using Carrier = std::conditional_t<Signed, std::int64_t, std::uint64_t>;
+  template <int Bits>
+  using Wider = RuntimeFixed<Entry, Signed, More + Bits, IsWhole>;
+  using Whole = RuntimeFixed<Entry, Signed, More, true>;
+  using Unsigned = RuntimeFixed<Entry, false, More, IsWhole>;
 
-  static int width() { return (runtime_table.*Entry).width; }
-  static int fraction() { return (runtime_table.*Entry).width - (runtime_table.*Entry).integer; }
+  static int width() { return (IsWhole ? (runtime_table.*Entry).integer : (runtime_table.*Entry).width) + More; }
+  static int fraction() { return IsWhole ? 0 : (runtime_table.*Entry).width - (runtime_table.*Entry).integer; }
 
   Carrier bits;
 
@@ -47,6 +52,10 @@ struct RuntimeFixed {
     x.bits = wrap(std::uint64_t(bits));
     return x;
   }
+  template <class A, class B>
+  static RuntimeFixed from_product(const A& a, const B& b) {
+    return from_bits(std::uint64_t(a.bits) * std::uint64_t(b.bits));
+  }
 
  private:
   static Carrier wrap(std::uint64_t v) {
@@ -57,15 +66,15 @@ struct RuntimeFixed {
 
 template <class T>
 struct IsRuntimeNumber : std::false_type {};
-template <NumberFormat FormatTable::*E, bool S>
-struct IsRuntimeNumber<RuntimeFixed<E, S>> : std::true_type {};
+template <NumberFormat FormatTable::*E, bool S, int M, bool W>
+struct IsRuntimeNumber<RuntimeFixed<E, S, M, W>> : std::true_type {};
 template <>
 struct IsRuntimeNumber<RuntimeResult> : std::true_type {};
 template <class A, class B, class R>
 using IfRuntime = std::enable_if_t<IsRuntimeNumber<A>::value && IsRuntimeNumber<B>::value, R>;
 
-template <NumberFormat FormatTable::*E, bool S>
-typename RuntimeFixed<E, S>::Carrier raw(const RuntimeFixed<E, S>& x) {
+template <NumberFormat FormatTable::*E, bool S, int M, bool W>
+typename RuntimeFixed<E, S, M, W>::Carrier raw(const RuntimeFixed<E, S, M, W>& x) {
   return x.bits;
 }
 
@@ -112,6 +121,27 @@ HS_RUNTIME_COMPARE(>=)
 HS_RUNTIME_COMPARE(==)
 HS_RUNTIME_COMPARE(!=)
 #undef HS_RUNTIME_COMPARE
+
+// What hls/numbers/arithmetic.hpp leaves to each kind of numbers.
+template <class T>
+IfRuntime<T, T, T> select(bool which, const T& a, const T& b) {
+  T result = a;
+  result.bits = which ? a.bits : b.bits;
+  return result;
+}
+template <class T>
+IfRuntime<T, T, T> shift_left(const T& x, int n) {
+  return T::from_bits(std::uint64_t(x.bits) << n);
+}
+template <class T>
+IfRuntime<T, T, T> shift_right(const T& x, int n) {
+  return T::from_bits(x.bits >> n);
+}
+template <class T, class A, class B>
+IfRuntime<A, B, T> rounded_product(const A& a, const B& b, int n) {
+  const __int128 twice = 2 * (__int128(a.bits) * __int128(b.bits));
+  return T::from_bits(std::uint64_t(((twice >> n) + 1) >> 1));
+}
 
 }  // namespace halfspace
 

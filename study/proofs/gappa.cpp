@@ -39,8 +39,9 @@ std::string reciprocal(const Config& config) {
              r, symmetric(reciprocal_bound(config)));
 }
 
-// N = H·2^24 + L, |N| < 2^(b+c). What gradient_product keeps in words of 64 bits, and that its sum is N·R + half,
-// nothing rounded. half is at most 2^(n−1), n = r + s − f − g, s <= 2c − 1.
+// N = H·2^24 + L, |N| < 2^(b+c). What rounded_product keeps in words of 64 bits, and that its sum is N·R + half,
+// nothing rounded. half is at most 2^(n−1), n = r + s − f − g, s <= 2c − 1; a kernel
+// that rounds after the shift has none.
 std::string product(const Config& config, const char* kind, int value_bits, int fraction) {
   const int r = config.reciprocal_bits, c = config.range_bits + config.subpixel_bits;
   const int high_bits = std::max(0, value_bits + c - 24);

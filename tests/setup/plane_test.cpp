@@ -60,12 +60,13 @@ void expect_product() {
     const int n = shift + r - F::kSubpixelBits - Channel::PlaneValue::fraction();
     const Wide half = n > 0 ? Wide(1) << (n - 1) : 0;
     const Wide exact = (Wide(numerator) * Wide(reciprocal) + half) >> n;
-    const auto got = gradient_product<F, Gradient>(numerator, from_raw<typename F::Reciprocal>(reciprocal), n);
+    const auto got = rounded_product<Gradient>(from_raw<typename Channel::Numerator>(numerator),
+                                               from_raw<typename F::Reciprocal>(reciprocal), n);
     ASSERT_EQ(raw(got), raw(from_raw<Gradient>(std::uint64_t(exact))))
         << numerator << " * " << reciprocal << " / 2^" << n;
   }
 }
-TEST(GradientProduct, RoundsOnce) {
+TEST(RoundedProduct, OfANumeratorAndAReciprocal) {
   expect_product<Formats<Low, Stamp1>, Formats<Low, Stamp1>::DepthChannel>();
   expect_product<Formats<Low, Stamp1>, Formats<Low, Stamp1>::ColourChannel>();
   expect_product<Formats<Middle, Stamp1>, Formats<Middle, Stamp1>::DepthChannel>();
