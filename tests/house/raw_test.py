@@ -21,7 +21,7 @@ USES = {
     "motion/motion_setup.hpp": 1,
     "objects/scan_object.hpp": 11,
     "objects/ztest_merge.hpp": 25,
-    "raster/raster_pineda.hpp": 35,
+    "raster/raster_pineda.hpp": 30,
     "setup/plane.hpp": 3,
     "setup/shade_setup.hpp": 2,
     "setup/triangle_setup.hpp": 1,
