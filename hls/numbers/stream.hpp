@@ -3,6 +3,7 @@
 //
 //   HALFSPACE_STREAM_HLS   hls::stream and the pragmas of Vitis HLS, which chooses this by itself
 //   HALFSPACE_STREAM_AC    ac_channel; the pragmas are left to Catapult's directives, which name a loop by its label
+//   HALFSPACE_STREAM_BOUNDED  of tests: queues of a bounded length, whose processes wait on threads of their own
 #ifndef HALFSPACE_HLS_NUMBERS_STREAM_HPP_
 #define HALFSPACE_HLS_NUMBERS_STREAM_HPP_
 
@@ -41,8 +42,13 @@ struct Loaded {};
 // Of a step of a process: its state stays in registers where the loop about it is compiled.
 #define HS_INLINE __attribute__((always_inline))
 
+#ifdef HALFSPACE_STREAM_BOUNDED
+#include "hls/numbers/stream_bounded.hpp"
+#endif
+
 namespace halfspace {
 
+#ifndef HALFSPACE_STREAM_BOUNDED
 // First in, first out. Reading an empty stream is an error of the caller: in hardware it would wait for ever.
 template <class T>
 class Stream {
@@ -72,6 +78,7 @@ class Stream {
   std::size_t head_ = 0;
   std::vector<T>* tap_ = nullptr;
 };
+#endif
 
 // A place to watch from, no wire of the circuit: what is written goes to the tap or nowhere.
 template <class T>

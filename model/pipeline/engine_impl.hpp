@@ -98,6 +98,11 @@ class KernelEngine : public Engine {
     recorder.tell(sink);
   }
 
+ protected:
+  std::unique_ptr<Streams<F>> streams_ = std::make_unique<Streams<F>>();
+  std::unique_ptr<Buffers<F>> buffers_ = std::make_unique<Buffers<F>>();
+  TriangleAnswers answers_;  // of the next frames
+
  private:
   // What passes through a stream or a probe while a frame is drawn. `frame`, unless it is null, takes the buffers.
   template <class Record, class Stream>
@@ -121,10 +126,6 @@ class KernelEngine : public Engine {
   void scan(const ref::SnappedList& scene, Colours8& colour) {
     scan_out<F>(scene, frame_registers<F>(scene), *streams_, *buffers_, colour);
   }
-
-  std::unique_ptr<Streams<F>> streams_ = std::make_unique<Streams<F>>();
-  std::unique_ptr<Buffers<F>> buffers_ = std::make_unique<Buffers<F>>();
-  TriangleAnswers answers_;  // of the next frames
 };
 
 // Engine of configuration C with the given number of lanes.
