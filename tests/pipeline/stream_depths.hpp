@@ -11,8 +11,8 @@
 //
 // Those of 512 let geometry send 512 triangles before it takes a `visible`. The others keep units busy: with one word
 // each the words would come later, and the same.
-#ifndef HALFSPACE_HLS_PIPELINE_STREAM_DEPTHS_HPP_
-#define HALFSPACE_HLS_PIPELINE_STREAM_DEPTHS_HPP_
+#ifndef HALFSPACE_TESTS_PIPELINE_STREAM_DEPTHS_HPP_
+#define HALFSPACE_TESTS_PIPELINE_STREAM_DEPTHS_HPP_
 
 namespace halfspace {
 
@@ -58,4 +58,4 @@ constexpr int kTrianglesAhead = 512;
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_PIPELINE_STREAM_DEPTHS_HPP_
+#endif  // HALFSPACE_TESTS_PIPELINE_STREAM_DEPTHS_HPP_
