@@ -17,7 +17,7 @@ CONSUMER = pathlib.Path(__file__).resolve().parent / "consumer"
 COMPILERS = [name for name in ("g++", "clang++") if shutil.which(name)]
 # What a macro of the user's asks for (docs/types.md), and the headers that do so.
 CHOSEN = ("systemc", "ap_fixed.h", "ac_fixed.h", "hls_stream.h", "ac_channel.h")
-BACK_ENDS = ("fixed_systemc.hpp", "fixed_ap.hpp", "fixed_ac.hpp")
+BACK_ENDS = ("stream_bounded.hpp", "fixed_systemc.hpp", "fixed_ap.hpp", "fixed_ac.hpp")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)', re.MULTILINE)
 EXPECTED = "2016 green pixels\n"
 
