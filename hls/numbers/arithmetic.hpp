@@ -8,7 +8,7 @@
 //   shift_right(x, n)          x·2^−n of x's type, truncated; n is 0 … 63
 //   shift_in(x, bit)           x·2 of x's type, wrapped, with `bit` in its last place; x has no sign
 //   slice<T>(x, from)          the bits of x from place `from` on as those of T, wrapped; `from` lies inside x
-//   normalize(x)               x·2^zeros with its top bit set, and zeros; x has no sign and is above 0
+//   normalize(x)               x·2^zeros with its top bit set, and zeros; x has no sign; of 0, some zeros
 //   product_modulo<T>(a, b)    a·b, its last place that of T, wrapped; of a product that may be longer than 64 bits
 //   rounded_product<T>(a, b, n)   floor(a·b·2^−n + ½) of the bits, wrapped to those of T; n is 0 … 63, b has no sign
 //                              and 40 bits at most, and the product may be longer than 64 bits

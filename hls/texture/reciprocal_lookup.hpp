@@ -15,7 +15,7 @@
 #define HALFSPACE_HLS_TEXTURE_RECIPROCAL_LOOKUP_HPP_
 
 #include "hls/formats/formats.hpp"
-#include "hls/numbers/stream.hpp"
+#include "hls/numbers/arithmetic.hpp"
 
 namespace halfspace {
 
@@ -70,16 +70,8 @@ template <class F>
 InverseCoordinate<F> reciprocal_lookup(const typename F::Coordinate& coordinate) {
   static constexpr InverseTable kTable = inverse_table();
   const int top = F::Coordinate::width() - 1;
-  std::uint64_t q = raw(coordinate);
-  int shift = 0;
-Normalize:
-  for (int step = 16; step > 0; step /= 2) {
-    HS_UNROLL
-    if (step <= top && q >> (top + 1 - step) == 0) {
-      q <<= step;
-      shift += step;
-    }
-  }
+  const Normalized<typename F::Coordinate> normalized = normalize(coordinate);
+  const std::uint64_t q = raw(normalized.number);
   // The leading one at `top`, and the field below it.
   const int field_bits = kInverseIndexBits + kInverseOffsetBits;
   const std::uint64_t field = (top < field_bits ? q << (field_bits - top) : q >> (top - field_bits));
@@ -90,7 +82,7 @@ Normalize:
   const int places = kInverseValueFraction + kInverseOffsetBits - kInverseFraction;
 
   InverseCoordinate<F> result;
-  result.shift = from_raw<typename F::InverseShift>(shift);
+  result.shift = from_raw<typename F::InverseShift>(normalized.zeros);
   result.inverse = from_raw<typename F::Inverse>((line + (std::uint64_t(1) << (places - 1))) >> places);
   return result;
 }
