@@ -100,7 +100,7 @@ typename F::Colour blended(const typename F::KeySum& key_0, const typename F::Ke
 
 // Port k is key k's. The caches are empty before the first word, and after the last one of a frame.
 template <class F, int N>
-void motion_compensate(const CompensationFrame<F>& frame, const KeyWeights<F>& weights, Stream<Motion<F>>& motion,
+bool motion_compensate(const CompensationFrame<F>& frame, const KeyWeights<F>& weights, Stream<Motion<F>>& motion,
                        const KeyPort<F, N> (&port)[kKeys], Stream<Compensated<F>>& compensated) {
   const Motion<F> in = motion.read();
   const KeyColour<F> key_0 = key_colour<F, N>(frame, weights, in, in.key[0], port[0]);
@@ -122,6 +122,7 @@ void motion_compensate(const CompensationFrame<F>& frame, const KeyWeights<F>& w
     empty_cache(*port[0].cache);
     empty_cache(*port[1].cache);
   }
+  return is_set(in.last);
 }
 
 }  // namespace halfspace

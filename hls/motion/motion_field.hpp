@@ -27,7 +27,7 @@ template <class F>
 bool store_planes(Stream<MotionPlanes<F>>& planes, MotionDatabase<F>& database) {
   const MotionPlanes<F> in = planes.read();
   if (!raw(in.empty)) database.planes[int(raw(in.index)) - 1] = in;
-  return raw(in.last) != 0;
+  return is_set(in.last);
 }
 
 // floor(u·2^(e+f) + ½) of u = scaled·2^−point: with u < 2, as s <= q + 1, below 2^(range_bits + f + 1), 29 bits. A left
@@ -91,7 +91,7 @@ KeyVector<F> key_vector(const KeyPlanes<F>& planes, int x, int y) {
 // One stamp: a word for each lane that shows a triangle, lanes in order; for the last stamp of the frame, if none does,
 // a word of face 0.
 template <class F>
-void motion_field(Stream<Scan<F>>& scan, const MotionDatabase<F>& database, Stream<Motion<F>>& motion) {
+bool motion_field(Stream<Scan<F>>& scan, const MotionDatabase<F>& database, Stream<Motion<F>>& motion) {
   const Scan<F> in = scan.read();
   const int x = int(raw(in.x)) << F::kLog2LanesX, y = int(raw(in.y)) << F::kLog2LanesY;
   int end = 0;  // behind the last lane that sends a word
@@ -119,6 +119,7 @@ Lanes:
     }
     motion.write(out);
   }
+  return is_set(in.last);
 }
 
 }  // namespace halfspace

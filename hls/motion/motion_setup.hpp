@@ -42,7 +42,7 @@ Differences:
 }
 
 template <class F>
-void motion_setup(Stream<Attributes<F>>& attributes, Stream<MotionVectors<F>>& vectors,
+bool motion_setup(Stream<Attributes<F>>& attributes, Stream<MotionVectors<F>>& vectors,
                   Stream<MotionPlanes<F>>& planes) {
   const Attributes<F> in = attributes.read();
 
@@ -59,6 +59,7 @@ void motion_setup(Stream<Attributes<F>>& attributes, Stream<MotionVectors<F>>& v
     for (int k = 0; k < kKeys; ++k) out.key[k] = key_planes<F>(base, order, given.key[k]);
   }
   planes.write(out);
+  return is_set(in.last);
 }
 
 }  // namespace halfspace

@@ -4,6 +4,7 @@
 //   fix<W, I>, ufix<W, I>   W bits in all, I of them before the binary point; two's complement or unsigned.
 //   raw(x)                  the bits as an integer; the value is raw(x) · 2^(I − W)
 //   from_raw<T>(bits)       the inverse; bits beyond T's width are dropped
+//   is_set(x)               whether a bit of x is: of a flag
 //   + - * unary- compare    exact: the result is as wide as it has to be
 //   T(x), T y = x           quantization: truncate toward minus infinity; overflow: wrap. The only modes there are:
 //                           rounding is a half added beforehand, and no kernel saturates.
@@ -51,6 +52,11 @@ using ufix = Fixed<W, I, false>;
 template <class T, class Int>
 constexpr T from_raw(Int bits) {
   return T::from_bits(bits);
+}
+
+template <class T>
+constexpr bool is_set(const T& x) {
+  return raw(x) != 0;
 }
 
 }  // namespace halfspace

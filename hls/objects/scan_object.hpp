@@ -14,14 +14,15 @@ namespace halfspace {
 
 // Stores what object a triangle is of, one a call.
 template <class F>
-void store_object(Stream<Triangle<F>>& triangle, ObjectTable<F>& table) {
+bool store_object(Stream<Triangle<F>>& triangle, ObjectTable<F>& table) {
   const Triangle<F> in = triangle.read();
   if (raw(in.index) != 0) table.object[int(raw(in.index)) - 1] = in.object;
+  return is_set(in.last);
 }
 
 // A stamp.
 template <class F>
-void scan_object(Stream<Scan<F>>& scan, DepthBuffer<F>& depth_buffer, const ObjectTable<F>& table,
+bool scan_object(Stream<Scan<F>>& scan, DepthBuffer<F>& depth_buffer, const ObjectTable<F>& table,
                  Stream<ObjectPixel<F>>& object_pixel) {
   const Scan<F> in = scan.read();
   typename F::Depth* const stored = depth_buffer.depth[int(raw(in.y)) * F::kStampsX + int(raw(in.x))];
@@ -52,11 +53,12 @@ Triangles:
     }
   }
   object_pixel.write(out);
+  return is_set(in.last);
 }
 
 // A stamp: its colours come from the shader.
 template <class F>
-void join_entry(Stream<Pixel<F>>& pixel, Stream<ObjectPixel<F>>& object_pixel, Stream<Entry<F>>& entry) {
+bool join_entry(Stream<Pixel<F>>& pixel, Stream<ObjectPixel<F>>& object_pixel, Stream<Entry<F>>& entry) {
   const Pixel<F> colours = pixel.read();
   const ObjectPixel<F> objects = object_pixel.read();
   Entry<F> out;
@@ -73,6 +75,7 @@ Lanes:
     out.b[l] = colours.b[l];
   }
   entry.write(out);
+  return is_set(objects.last);
 }
 
 }  // namespace halfspace

@@ -75,7 +75,7 @@ Stamps:
       y_last = count == 0 || y > y_last ? y : y_last;
       count += hits;
     }
-    done = raw(in.last) != 0;
+    done = is_set(in.last);
   }
   Found<F> out;
   out.count = from_raw<typename F::ObjectCount>(count);

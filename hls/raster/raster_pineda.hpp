@@ -189,6 +189,8 @@ class RasterPineda {
   }
 
   bool walks() const { return walks_; }
+  // Whether the triangle is the frame's last.
+  bool is_last() const { return is_set(in_.last); }
 
   // Visits a stamp. Returns whether `out` is to be sent: the stamp found last waits for the next one, or for finish().
   HS_INLINE bool visit(const Frame<F>& frame, Stamp<F>& out) {
@@ -281,7 +283,7 @@ class RasterPineda {
 
 // One triangle.
 template <class F>
-void raster_pineda(const Frame<F>& frame, Stream<Setup<F>>& setup, Stream<Stamp<F>>& stamp,
+bool raster_pineda(const Frame<F>& frame, Stream<Setup<F>>& setup, Stream<Stamp<F>>& stamp,
                    Stream<TriangleDepth<F>>& depth_plane, Probe<int>& visits) {
   RasterPineda<F> unit;
   unit.take(setup.read());
@@ -304,6 +306,7 @@ Walk:
     if (sends) stamp.write(out);
   }
   visits.write(count);
+  return unit.is_last();
 }
 
 }  // namespace halfspace

@@ -42,13 +42,14 @@ Planes<F> colour_planes(const Attributes<F>& in, const typename F::Colour (&r)[3
 }
 
 template <class F>
-void shade_setup(Stream<Attributes<F>>& attributes, Stream<Planes<F>>& planes) {
+bool shade_setup(Stream<Attributes<F>>& attributes, Stream<Planes<F>>& planes) {
   const Attributes<F> in = attributes.read();
   planes.write(colour_planes<F>(in, in.r, in.g, in.b));
+  return is_set(in.last);
 }
 
 template <class F>
-void shade_setup(Stream<Attributes<F>>& attributes, Stream<Colours<F>>& colours, Stream<Planes<F>>& planes) {
+bool shade_setup(Stream<Attributes<F>>& attributes, Stream<Colours<F>>& colours, Stream<Planes<F>>& planes) {
   const Attributes<F> in = attributes.read();
   Colours<F> ordered{};
   if (!raw(in.empty)) {
@@ -64,6 +65,7 @@ void shade_setup(Stream<Attributes<F>>& attributes, Stream<Colours<F>>& colours,
     }
   }
   planes.write(colour_planes<F>(in, ordered.r, ordered.g, ordered.b));
+  return is_set(in.last);
 }
 
 }  // namespace halfspace

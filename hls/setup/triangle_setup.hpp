@@ -108,7 +108,7 @@ typename F::EdgeStep edge_start(const typename F::Coord& x, const typename F::Co
 }
 
 template <class F>
-void triangle_setup(const Frame<F>& frame, Stream<Triangle<F>>& triangle, Stream<Setup<F>>& setup,
+bool triangle_setup(const Frame<F>& frame, Stream<Triangle<F>>& triangle, Stream<Setup<F>>& setup,
                     Stream<Attributes<F>>& attributes) {
   using Coord = typename F::Coord;
   const OrderedTriangle<F> t = order_vertices<F>(triangle.read());
@@ -195,6 +195,7 @@ void triangle_setup(const Frame<F>& frame, Stream<Triangle<F>>& triangle, Stream
   }
   setup.write(out);
   if (!empty || raw(out.last) || F::kDeferred) attributes.write(shade);
+  return is_set(out.last);
 }
 
 }  // namespace halfspace

@@ -18,7 +18,7 @@ typename F::NormalChannel::Value offset_component(const typename F::Normal& n) {
 }
 
 template <class F>
-void phong_setup(Stream<Attributes<F>>& attributes, Stream<Normals<F>>& normals, Stream<NormalPlanes<F>>& planes) {
+bool phong_setup(Stream<Attributes<F>>& attributes, Stream<Normals<F>>& normals, Stream<NormalPlanes<F>>& planes) {
   const Attributes<F> in = attributes.read();
 
   NormalPlanes<F> out{};
@@ -42,6 +42,7 @@ void phong_setup(Stream<Attributes<F>>& attributes, Stream<Normals<F>>& normals,
     }
   }
   planes.write(out);
+  return is_set(in.last);
 }
 
 }  // namespace halfspace

@@ -18,7 +18,7 @@ template <class F>
 bool store_planes(Stream<Planes<F>>& planes, ShadingDatabase<F>& database) {
   const Planes<F> in = planes.read();
   if (!raw(in.empty)) database.planes[int(raw(in.index)) - 1] = in;
-  return raw(in.last) != 0;
+  return is_set(in.last);
 }
 
 // The colour of a flat triangle in the lanes that `shade` names.
@@ -33,7 +33,7 @@ Lanes:
 }
 
 template <class F>
-void shade_gouraud(const Frame<F>& frame, Stream<Scan<F>>& scan, const ShadingDatabase<F>& database,
+bool shade_gouraud(const Frame<F>& frame, Stream<Scan<F>>& scan, const ShadingDatabase<F>& database,
                    Stream<Pixel<F>>& pixel) {
   const Scan<F> in = scan.read();
   const int x = int(raw(in.x)) << F::kLog2LanesX, y = int(raw(in.y)) << F::kLog2LanesY;
@@ -68,6 +68,7 @@ Triangles:
     }
   }
   pixel.write(out);
+  return is_set(in.last);
 }
 
 }  // namespace halfspace

@@ -18,7 +18,7 @@ template <class F>
 bool store_planes(Stream<NormalPlanes<F>>& planes, NormalDatabase<F>& database) {
   const NormalPlanes<F> in = planes.read();
   if (!raw(in.empty)) database.planes[int(raw(in.index)) - 1] = in;
-  return raw(in.last) != 0;
+  return is_set(in.last);
 }
 
 // The component of a normal at pixel (x, y), without the offset that it has in a plane.
@@ -30,7 +30,7 @@ typename F::Normal normal_component(const typename F::NormalPlane& start, const 
 }
 
 template <class F>
-void shade_phong(const Frame<F>& frame, Stream<Scan<F>>& scan, const NormalDatabase<F>& database,
+bool shade_phong(const Frame<F>& frame, Stream<Scan<F>>& scan, const NormalDatabase<F>& database,
                  const LightTable<F>& lights, const MaterialTable<F>& materials, Stream<Pixel<F>>& pixel) {
   const Scan<F> in = scan.read();
   const int x = int(raw(in.x)) << F::kLog2LanesX, y = int(raw(in.y)) << F::kLog2LanesY;
@@ -59,6 +59,7 @@ Lanes:
     out.b[l] = colour.channel[2];
   }
   pixel.write(out);
+  return is_set(in.last);
 }
 
 }  // namespace halfspace

@@ -26,7 +26,7 @@ template <class F>
 bool store_planes(Stream<TexturePlanes<F>>& planes, TextureDatabase<F>& database) {
   const TexturePlanes<F> in = planes.read();
   if (!raw(in.empty)) database.planes[int(raw(in.index)) - 1] = in;
-  return raw(in.last) != 0;
+  return is_set(in.last);
 }
 template <class F>
 void store_texture(Stream<TextureEntry<F>>& textures, TextureTable<F>& table) {
@@ -149,7 +149,7 @@ typename F::Colour textured(const typename F::Colour& lit, const typename F::Fil
 }
 
 template <class F>
-void shade_texture(Stream<Scan<F>>& scan, Stream<Pixel<F>>& lit, const TextureDatabase<F>& database,
+bool shade_texture(Stream<Scan<F>>& scan, Stream<Pixel<F>>& lit, const TextureDatabase<F>& database,
                    const TextureTable<F>& textures, const TextureMemory<F>& memory, Stream<Pixel<F>>& pixel) {
   const Scan<F> in = scan.read();
   Pixel<F> out = lit.read();
@@ -169,6 +169,7 @@ Lanes:
     out.b[l] = textured<F>(out.b[l], texel.channel[2]);
   }
   pixel.write(out);
+  return is_set(in.last);
 }
 
 }  // namespace halfspace

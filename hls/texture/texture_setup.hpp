@@ -11,7 +11,7 @@
 namespace halfspace {
 
 template <class F>
-void texture_setup(Stream<Attributes<F>>& attributes, Stream<TextureCoordinates<F>>& coordinates,
+bool texture_setup(Stream<Attributes<F>>& attributes, Stream<TextureCoordinates<F>>& coordinates,
                    Stream<TexturePlanes<F>>& planes) {
   const Attributes<F> in = attributes.read();
 
@@ -36,6 +36,7 @@ void texture_setup(Stream<Attributes<F>>& attributes, Stream<TextureCoordinates<
     }
   }
   planes.write(out);
+  return is_set(in.last);
 }
 
 }  // namespace halfspace

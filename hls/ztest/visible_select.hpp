@@ -14,13 +14,14 @@
 namespace halfspace {
 
 template <class F>
-void visible_select(Stream<Attributes<F>>& attributes, Stream<Visible<F>>& tested, Stream<Visible<F>>& visible,
+bool visible_select(Stream<Attributes<F>>& attributes, Stream<Visible<F>>& tested, Stream<Visible<F>>& visible,
                     Stream<Attributes<F>>& passed) {
   Attributes<F> out = attributes.read();
   const Visible<F> result = tested.read();
   out.empty = from_raw<Bit>(raw(result.visible) == 0);
   visible.write(result);
   if (raw(result.visible) || raw(result.last)) passed.write(out);
+  return is_set(result.last);
 }
 
 }  // namespace halfspace

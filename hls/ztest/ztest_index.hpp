@@ -16,12 +16,12 @@ namespace halfspace {
 
 // The stamps of one triangle.
 template <class F>
-void ztest_index(Stream<Stamp<F>>& stamp, IndexBuffer<F>& index_buffer, DepthBuffer<F>& depth_buffer,
+bool ztest_index(Stream<Stamp<F>>& stamp, IndexBuffer<F>& index_buffer, DepthBuffer<F>& depth_buffer,
                  Probe<Update<F>>& update, Stream<Visible<F>>& visible) {
   using Depth = typename F::Depth;
   const typename Depth::Carrier farthest = raw(farthest_depth<F>());
   bool any_of_triangle = false;
-  bool done = false;
+  bool done = false, last = false;
 Stamps:
   for (int n = 0; n < F::kStamps && !done; ++n) {
     HS_PIPELINE(1)
@@ -51,15 +51,17 @@ Stamps:
     }
     if (any) update.write(out);
     any_of_triangle = any_of_triangle || any;
-    done = raw(in.triangle_last) != 0;
+    done = is_set(in.triangle_last);
     if (done) {
       Visible<F> result;
       result.last = in.last;
       result.visible = from_raw<Bit>(any_of_triangle);
       result.index = in.index;
       visible.write(result);
+      last = is_set(in.last);
     }
   }
+  return last;
 }
 
 }  // namespace halfspace

@@ -42,7 +42,7 @@ DepthEntry<F> depth_entry(const TriangleDepth<F>& in) {
 
 // The stamps of one triangle. `tests` hears what they cost.
 template <class F>
-void ztest_plane(Stream<Stamp<F>>& stamp, Stream<TriangleDepth<F>>& depth_plane, IndexBuffer<F>& index_buffer,
+bool ztest_plane(Stream<Stamp<F>>& stamp, Stream<TriangleDepth<F>>& depth_plane, IndexBuffer<F>& index_buffer,
                  VisibilityDatabase<F>& database, Probe<Update<F>>& update, Stream<Visible<F>>& visible,
                  Probe<PlaneTests>& tests) {
   using Depth = typename F::Depth;
@@ -51,7 +51,7 @@ void ztest_plane(Stream<Stamp<F>>& stamp, Stream<TriangleDepth<F>>& depth_plane,
   const Depth farthest = farthest_depth<F>();
   PlaneTests cost{1, 0};
   bool any_of_triangle = false;
-  bool done = false;
+  bool done = false, last = false;
 Stamps:
   for (int n = 0; n < F::kStamps && !done; ++n) {
     const Stamp<F> in = stamp.read();
@@ -97,16 +97,18 @@ Stamps:
     if (any) update.write(out);
     if (any && !any_of_triangle) database.entry[int(raw(in.index)) - 1] = entry;
     any_of_triangle = any_of_triangle || any;
-    done = raw(in.triangle_last) != 0;
+    done = is_set(in.triangle_last);
     if (done) {
       Visible<F> result;
       result.last = in.last;
       result.visible = from_raw<Bit>(any_of_triangle);
       result.index = in.index;
       visible.write(result);
+      last = is_set(in.last);
     }
   }
   tests.write(cost);
+  return last;
 }
 
 }  // namespace halfspace

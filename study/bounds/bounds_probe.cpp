@@ -76,7 +76,10 @@ class RuntimeProbe : public KernelProbe {
  private:
   // The attributes' planes: colours come with them, or as those of a triangle that was lit.
   void set_colours(const Triangle<F>& in) {
-    if (!F::kHasLighting) return shade_setup(s_.attributes, s_.planes);
+    if (!F::kHasLighting) {
+      shade_setup(s_.attributes, s_.planes);
+      return;
+    }
     Colours<F> colours{};
     for (int v = 0; v < 3; ++v) colours.r[v] = in.r[v], colours.g[v] = in.g[v], colours.b[v] = in.b[v];
     s_.colours.write(colours);
