@@ -7,7 +7,13 @@
 
 namespace halfspace {
 
-// Which triangle is nearest: 0, or its index. At address y · F::kStampsX + x of stamp (x, y).
+// Of the word of a stamp.
+template <class F>
+int stamp_address(const typename F::X& x, const typename F::Y& y) {
+  return int(raw(y)) * F::kStampsX + int(raw(x));
+}
+
+// Which triangle is nearest: 0, or its index.
 template <class F>
 struct IndexBuffer {
   typename F::Index index[F::kStamps][F::kLanes];

@@ -281,32 +281,48 @@ class RasterPineda {
   bool pending_, walks_;
 };
 
-// One triangle.
+// Walks triangles, each step of a cycle: taking one, visiting a stamp, or its end.
+template <Until kUntil, class F>
+HS_INLINE inline bool raster_pineda_steps(const Frame<F>& frame, Stream<Setup<F>>& setup, Stream<Stamp<F>>& stamp,
+                                          Stream<TriangleDepth<F>>& depth_plane, Probe<int>& visits) {
+  RasterPineda<F> unit;
+  int count = 0;
+  bool has_triangle = false, done = false;
+Steps:
+  while (!done) {
+    HS_PIPELINE(1)
+    if (!has_triangle) {
+      unit.take(setup.read());
+      if (F::kTestsPlanes) depth_plane.write(unit.depth_plane());
+      has_triangle = true;
+      count = 0;
+    } else {
+      Stamp<F> out;
+      bool sends = true;
+      if (unit.walks()) {
+        sends = unit.visit(frame, out);
+        ++count;
+      } else {
+        unit.finish(out);
+        visits.write(count);
+        has_triangle = false;
+        done = kUntil == Until::kTriangleEnds || unit.is_last();
+      }
+      if (sends) stamp.write(out);
+    }
+  }
+  return unit.is_last();
+}
+
 template <class F>
 bool raster_pineda(const Frame<F>& frame, Stream<Setup<F>>& setup, Stream<Stamp<F>>& stamp,
                    Stream<TriangleDepth<F>>& depth_plane, Probe<int>& visits) {
-  RasterPineda<F> unit;
-  unit.take(setup.read());
-  if (F::kTestsPlanes) depth_plane.write(unit.depth_plane());
-  const int max_visits = 2 * F::kStamps + F::kStampsX + F::kStampsY;  // no row is entered or searched twice
-  int count = 0;
-  bool ends = false;
-Walk:
-  for (int n = 0; n <= max_visits && !ends; ++n) {
-    HS_PIPELINE(1)
-    Stamp<F> out;
-    ends = !unit.walks();
-    bool sends = ends;
-    if (ends) {
-      unit.finish(out);
-    } else {
-      sends = unit.visit(frame, out);
-      ++count;
-    }
-    if (sends) stamp.write(out);
-  }
-  visits.write(count);
-  return unit.is_last();
+  return raster_pineda_steps<Until::kTriangleEnds>(frame, setup, stamp, depth_plane, visits);
+}
+template <class F>
+void raster_pineda_frame(const Frame<F>& frame, Stream<Setup<F>>& setup, Stream<Stamp<F>>& stamp,
+                         Stream<TriangleDepth<F>>& depth_plane, Probe<int>& visits) {
+  raster_pineda_steps<Until::kFrameEnds>(frame, setup, stamp, depth_plane, visits);
 }
 
 }  // namespace halfspace

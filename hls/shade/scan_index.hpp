@@ -1,33 +1,82 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scan-out of the I-buffer, and its clearing for the next frame in the same pass. A stamp a cycle; a call does one row
-// of stamps.
+// Scan-out of the I-buffer, and its clearing for the next frame in the same pass. A stamp a cycle.
 #ifndef HALFSPACE_HLS_SHADE_SCAN_INDEX_HPP_
 #define HALFSPACE_HLS_SHADE_SCAN_INDEX_HPP_
 
 #include "hls/formats/buffers.hpp"
-#include "hls/numbers/stream.hpp"
+#include "hls/numbers/arithmetic.hpp"
 
 namespace halfspace {
 
 template <class F>
+struct StampPlace {
+  typename F::X x;
+  typename F::Y y;
+};
+// Of the frame's last pixel.
+template <class F>
+StampPlace<F> last_stamp(const Frame<F>& frame) {
+  using X = typename F::X;
+  using Y = typename F::Y;
+  StampPlace<F> place;
+  place.x = shift_right(X(frame.width - from_raw<X>(1)), F::kLog2LanesX);
+  place.y = shift_right(Y(frame.height - from_raw<Y>(1)), F::kLog2LanesY);
+  return place;
+}
+
+// What is stored of a stamp; nothing is afterwards.
+template <class F>
+HS_INLINE inline Scan<F> take_stamp(const StampPlace<F>& at, bool is_last, IndexBuffer<F>& index_buffer) {
+  const int address = stamp_address<F>(at.x, at.y);
+  Scan<F> out;
+  out.last = from_raw<Bit>(is_last);
+  out.x = at.x;
+  out.y = at.y;
+Lanes:
+  for (int l = 0; l < F::kLanes; ++l) {
+    HS_UNROLL
+    out.index[l] = index_buffer.index[address][l];
+    index_buffer.index[address][l] = from_raw<typename F::Index>(0);
+  }
+  return out;
+}
+
+// A row of stamps.
+template <class F>
 void scan_index(const Frame<F>& frame, int y, IndexBuffer<F>& index_buffer, Stream<Scan<F>>& scan) {
-  const int x_last = (int(raw(frame.width)) - 1) >> F::kLog2LanesX;
-  const int y_last = (int(raw(frame.height)) - 1) >> F::kLog2LanesY;
+  const StampPlace<F> end = last_stamp(frame);
+  StampPlace<F> at;
+  at.x = from_raw<typename F::X>(0);
+  at.y = from_raw<typename F::Y>(y);
+  const bool is_last_row = at.y == end.y;
+  bool done = false;
 Stamps:
-  for (int x = 0; x < F::kStampsX && x <= x_last; ++x) {
+  for (int n = 0; n < F::kStampsX && !done; ++n) {
     HS_PIPELINE(1)
-    Scan<F> out;
-    out.last = from_raw<Bit>(x == x_last && y == y_last);
-    out.x = from_raw<typename F::X>(x);
-    out.y = from_raw<typename F::Y>(y);
-    typename F::Index* const stored = index_buffer.index[y * F::kStampsX + x];
-  Lanes:
-    for (int l = 0; l < F::kLanes; ++l) {
-      HS_UNROLL
-      out.index[l] = from_raw<typename F::Index>(raw(stored[l]));
-      stored[l] = from_raw<typename F::Index>(0);
-    }
-    scan.write(out);
+    done = at.x == end.x;
+    scan.write(take_stamp(at, done && is_last_row, index_buffer));
+    at.x = at.x + from_raw<typename F::X>(1);
+  }
+}
+
+// All rows.
+template <class F>
+void scan_index_frame(const Frame<F>& frame, IndexBuffer<F>& index_buffer, Stream<Scan<F>>& scan) {
+  using X = typename F::X;
+  using Y = typename F::Y;
+  const StampPlace<F> end = last_stamp(frame);
+  StampPlace<F> at;
+  at.x = from_raw<X>(0);
+  at.y = from_raw<Y>(0);
+  bool done = false;
+Stamps:
+  for (int n = 0; n < F::kStamps && !done; ++n) {
+    HS_PIPELINE(1)
+    const bool row_ends = at.x == end.x;
+    done = row_ends && at.y == end.y;
+    scan.write(take_stamp(at, done, index_buffer));
+    at.x = select(row_ends, from_raw<X>(0), X(at.x + from_raw<X>(1)));
+    at.y = select(row_ends, Y(at.y + from_raw<Y>(1)), at.y);
   }
 }
 

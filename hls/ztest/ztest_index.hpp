@@ -10,58 +10,129 @@
 #define HALFSPACE_HLS_ZTEST_ZTEST_INDEX_HPP_
 
 #include "hls/formats/buffers.hpp"
-#include "hls/numbers/stream.hpp"
+#include "hls/numbers/arithmetic.hpp"
 
 namespace halfspace {
 
-// The stamps of one triangle.
+// What is stored of the pixels of a stamp.
 template <class F>
-bool ztest_index(Stream<Stamp<F>>& stamp, IndexBuffer<F>& index_buffer, DepthBuffer<F>& depth_buffer,
-                 Probe<Update<F>>& update, Stream<Visible<F>>& visible) {
-  using Depth = typename F::Depth;
-  const typename Depth::Carrier farthest = raw(farthest_depth<F>());
-  bool any_of_triangle = false;
-  bool done = false, last = false;
+struct StoredStamp {
+  typename F::Index index[F::kLanes];
+  typename F::Depth depth[F::kLanes];  // with F::kHasDepth
+};
+
+template <class F>
+HS_INLINE inline StoredStamp<F> read_stamp(const IndexBuffer<F>& index_buffer, const DepthBuffer<F>& depth_buffer,
+                                           int address) {
+  StoredStamp<F> stored;
+Lanes:
+  for (int l = 0; l < F::kLanes; ++l) {
+    HS_UNROLL
+    stored.index[l] = index_buffer.index[address][l];
+    stored.depth[l] = depth_buffer.depth[F::kHasDepth ? address : 0][l];
+  }
+  return stored;
+}
+
+template <class F>
+HS_INLINE inline void write_stamp(const StoredStamp<F>& stored, int address, IndexBuffer<F>& index_buffer,
+                                  DepthBuffer<F>& depth_buffer) {
+Lanes:
+  for (int l = 0; l < F::kLanes; ++l) {
+    HS_UNROLL
+    index_buffer.index[address][l] = stored.index[l];
+    if (F::kHasDepth) depth_buffer.depth[address][l] = stored.depth[l];
+  }
+}
+
+// Puts the fragments that pass in the place of what is stored. Returns whether there are any.
+template <class F>
+HS_INLINE inline bool test_stamp(const Stamp<F>& in, StoredStamp<F>& stored, Update<F>& update) {
+  const typename F::Depth farthest = farthest_depth<F>();
+  update.index = in.index;
+  update.x = in.x;
+  update.y = in.y;
+  unsigned any = 0;
+Lanes:
+  for (int l = 0; l < F::kLanes; ++l) {
+    HS_UNROLL
+    const bool first = is_zero(stored.index[l]);
+    bool nearer = first;
+    if (F::kHasDepth) nearer = raw(in.depth[l]) < raw(select(first, farthest, stored.depth[l]));
+    const unsigned pass = unsigned(raw(in.mask[l])) & unsigned(nearer);
+    any |= pass;
+    update.mask[l] = from_raw<Bit>(pass);
+    update.depth[l] = in.depth[l];
+    stored.index[l] = select(pass != 0, in.index, stored.index[l]);
+    if (F::kHasDepth) stored.depth[l] = select(pass != 0, in.depth[l], stored.depth[l]);
+  }
+  return any != 0;
+}
+
+// A stamp that has been tested and waits to be written.
+template <class F>
+struct WaitingStamp {
+  bool is_there;
+  int address;
+  StoredStamp<F> stored;
+};
+
+// The stamps of a triangle are different ones, and each is written when it has been tested. Those of a frame are
+// written two stamps later, and until then forwarded to the tests of the same stamp: so a pipeline that reads a stamp
+// while the two before it are tested has an iteration a cycle.
+template <Until kUntil, class F>
+bool ztest_index_stamps(Stream<Stamp<F>>& stamp, IndexBuffer<F>& index_buffer, DepthBuffer<F>& depth_buffer,
+                        Probe<Update<F>>& update, Stream<Visible<F>>& visible) {
+  WaitingStamp<F> near{}, far{};
+  bool any_of_triangle = false, last = false, done = false;
 Stamps:
-  for (int n = 0; n < F::kStamps && !done; ++n) {
+  while (!done) {
     HS_PIPELINE(1)
     const Stamp<F> in = stamp.read();
-    const int address = int(raw(in.y)) * F::kStampsX + int(raw(in.x));
-    typename F::Index* const stored_index = index_buffer.index[address];
-    Depth* const stored_depth = depth_buffer.depth[F::kHasDepth ? address : 0];
-
+    const int address = stamp_address<F>(in.x, in.y);
+    StoredStamp<F> stored = read_stamp(index_buffer, depth_buffer, address);
+    if (kUntil == Until::kFrameEnds) {
+      if (far.is_there && far.address == address) stored = far.stored;
+      if (near.is_there && near.address == address) stored = near.stored;
+      if (far.is_there) write_stamp(far.stored, far.address, index_buffer, depth_buffer);
+      far = near;
+    }
     Update<F> out;
-    out.index = in.index;
-    out.x = in.x;
-    out.y = in.y;
-    typename Bit::Carrier any = 0;
-  Lanes:
-    for (int l = 0; l < F::kLanes; ++l) {
-      HS_UNROLL
-      const auto index = raw(stored_index[l]);
-      typename Bit::Carrier nearer = typename Bit::Carrier(index == 0);
-      const auto depth = raw(in.depth[l]);
-      if (F::kHasDepth) nearer = typename Bit::Carrier(depth < (index == 0 ? farthest : raw(stored_depth[l])));
-      const typename Bit::Carrier pass = raw(in.mask[l]) & nearer;
-      any |= pass;
-      out.mask[l] = from_raw<Bit>(pass);
-      out.depth[l] = from_raw<Depth>(depth);
-      stored_index[l] = from_raw<typename F::Index>(pass ? raw(in.index) : index);
-      if (F::kHasDepth) stored_depth[l] = from_raw<Depth>(pass ? depth : raw(stored_depth[l]));
+    const bool any = test_stamp(in, stored, out);
+    if (kUntil == Until::kFrameEnds) {
+      near = {any, address, stored};
+    } else {
+      write_stamp(stored, address, index_buffer, depth_buffer);
     }
     if (any) update.write(out);
     any_of_triangle = any_of_triangle || any;
-    done = is_set(in.triangle_last);
-    if (done) {
+    if (is_set(in.triangle_last)) {
       Visible<F> result;
       result.last = in.last;
       result.visible = from_raw<Bit>(any_of_triangle);
       result.index = in.index;
       visible.write(result);
+      any_of_triangle = false;
       last = is_set(in.last);
+      done = kUntil == Until::kTriangleEnds || last;
     }
   }
+  if (kUntil == Until::kFrameEnds) {
+    if (far.is_there) write_stamp(far.stored, far.address, index_buffer, depth_buffer);
+    if (near.is_there) write_stamp(near.stored, near.address, index_buffer, depth_buffer);
+  }
   return last;
+}
+
+template <class F>
+bool ztest_index(Stream<Stamp<F>>& stamp, IndexBuffer<F>& index_buffer, DepthBuffer<F>& depth_buffer,
+                 Probe<Update<F>>& update, Stream<Visible<F>>& visible) {
+  return ztest_index_stamps<Until::kTriangleEnds>(stamp, index_buffer, depth_buffer, update, visible);
+}
+template <class F>
+void ztest_index_frame(Stream<Stamp<F>>& stamp, IndexBuffer<F>& index_buffer, DepthBuffer<F>& depth_buffer,
+                       Probe<Update<F>>& update, Stream<Visible<F>>& visible) {
+  ztest_index_stamps<Until::kFrameEnds>(stamp, index_buffer, depth_buffer, update, visible);
 }
 
 }  // namespace halfspace

@@ -13,6 +13,7 @@ RAW = re.compile(r"(?<![A-Za-z0-9_])raw\(")
 COMMENT = re.compile(r"//[^\n]*")
 FREE = ("numbers", "top")
 USES = {
+    "formats/buffers.hpp": 2,
     "formats/lanes.hpp": 12,
     "motion/key_cache.hpp": 4,
     "motion/key_filter.hpp": 4,
@@ -28,14 +29,13 @@ USES = {
     "shade/lighting.hpp": 14,
     "shade/phong_setup.hpp": 2,
     "shade/reciprocal_sqrt.hpp": 1,
-    "shade/scan_index.hpp": 3,
     "shade/shade_gouraud.hpp": 11,
     "shade/shade_phong.hpp": 10,
     "texture/reciprocal_lookup.hpp": 1,
     "texture/shade_texture.hpp": 34,
     "texture/texture_setup.hpp": 1,
     "ztest/visible_select.hpp": 3,
-    "ztest/ztest_index.hpp": 9,
+    "ztest/ztest_index.hpp": 3,
     "ztest/ztest_plane.hpp": 12,
 }
 

@@ -44,6 +44,9 @@ struct Stamp {
   }
 };
 
+// Where the stamps end that a call of a kernel takes.
+enum class Until { kTriangleEnds, kFrameEnds };
+
 // What the stamps of a triangle cost ztest_plane: cycles, and entries of TdbV that it reads.
 struct PlaneTests {
   int cycles, entries;
