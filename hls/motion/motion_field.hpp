@@ -26,65 +26,92 @@ namespace halfspace {
 template <class F>
 bool store_planes(Stream<MotionPlanes<F>>& planes, MotionDatabase<F>& database) {
   const MotionPlanes<F> in = planes.read();
-  if (!raw(in.empty)) database.planes[int(raw(in.index)) - 1] = in;
+  if (!is_set(in.empty)) database.planes[int(raw(in.index)) - 1] = in;
   return is_set(in.last);
 }
 
-// floor(u·2^(e+f) + ½) of u = scaled·2^−point: with u < 2, as s <= q + 1, below 2^(range_bits + f + 1), 29 bits. A left
-// shift is one of affine places alone, where scaled < 2^point: to e + f + 1 <= 29 bits.
-inline std::int64_t place_offset(std::uint64_t scaled, int point, int places) {
-  const int left = places + 1 - point;
-  const std::uint64_t twice = left > 0 ? scaled << left : scaled >> -left;
-  return std::int64_t((twice + 1) >> 1);
-}
-
-// From the centre of pixel `pixel` along an axis, in units of 2^−f: origin less pixel has a bit more than a position
-// before the point, and the sum with the offset one more, 30 bits and a sign.
+// Along an axis, in units of 2^−f pixels. The way from a pixel's centre: origin less pixel has a bit more than a
+// position before the point, and the sum with the offset of the place one more. Twice that offset: with u < 2, as s <=
+// q + 1, it is below 2^(e+f+2), and e is the bits of a position before the point at most; planes that no triangle has
+// may give a bit more.
 template <class F>
-std::int64_t way_to(const typename F::Origin& origin, std::int64_t offset, int pixel) {
-  const int f = F::kVectorFraction;
-  const std::int64_t whole = std::int64_t(raw(origin)) - pixel;
-  return whole * (std::int64_t(1) << f) - (std::int64_t(1) << (f - 1)) + offset;
-}
-
+using Way = Wider<Refined<typename F::Origin, typename F::Vector>, 2>;
 template <class F>
-bool vector_fits(std::int64_t way) {
-  const std::int64_t end = std::int64_t(1) << (F::kVectorRange + F::kVectorFraction);
-  return way >= -end && way < end;
+using TwiceOffset = Wider<Refined<typename F::Origin::Unsigned, typename F::Vector>, 3>;
+
+// floor(u·2^(e+f) + ½)·2^−f + origin − (pixel + ½), of u = scaled · 2^−(bits of it − head).
+template <class F, class Scaled, class Pixel>
+Way<F> way_to(const typename F::Origin& origin, const typename F::Extent& extent, const Scaled& scaled, int head,
+              const Pixel& pixel) {
+  using Twice = TwiceOffset<F>;
+  using Vector = typename F::Vector;
+  const int below = F::Origin::width() + 2 - head - int(raw(extent));
+  const Twice twice = shift_right(leading<Twice>(scaled), below);
+  const Twice offset = slice<Twice>(twice + from_raw<Twice>(1), 1);
+  const Vector half = from_raw<Vector>(1 << (F::kVectorFraction - 1));
+  return origin - pixel - half + offset;
 }
 
 template <class F>
 KeyVector<F> key_vector(const KeyPlanes<F>& planes, int x, int y) {
   using Coordinate = typename F::Coordinate;
+  using Vector = typename F::Vector;
   KeyVector<F> out{};
-  if (!raw(planes.there)) return out;
+  if (!is_set(planes.there)) return out;
   // Rounded: the starts have the ½.
   const Coordinate s = plane_at<F>(planes.start[0], planes.dx[0], planes.dy[0], x, y);
   const Coordinate t = plane_at<F>(planes.start[1], planes.dx[1], planes.dy[1], x, y);
-  std::uint64_t u = raw(s), v = raw(t);
-  int point = Coordinate::width();
+  const auto column = from_raw<typename F::X>(x);
+  const auto row = from_raw<typename F::Y>(y);
+  Way<F> way_x, way_y;
   if (F::kPerspective) {
     const Coordinate q = plane_at<F>(planes.start[2], planes.dx[2], planes.dy[2], x, y);
     const InverseCoordinate<F> inverse = reciprocal_lookup<F>(q);
     const int k = int(raw(inverse.shift));
-    const std::uint64_t by = raw(inverse.inverse);
     // s <= q + 1 of planes of s <= q, as either is rounded, so s·2^k <= 2^b: b + 1 bits, and the product 45 at most.
-    const std::uint64_t mask = (std::uint64_t(1) << (point + 1)) - 1;
-    u = (u << k & mask) * by;
-    v = (v << k & mask) * by;
-    point += kInverseFraction - 1;
+    using Octave = Wider<Coordinate, 1>;
+    using Scaled = Wider<Octave, kInverseFraction>;
+    const Octave of_s = shift_left(Octave(s), k), of_t = shift_left(Octave(t), k);
+    way_x = way_to<F>(planes.origin_x, planes.extent, slice<Scaled>(of_s * inverse.inverse, 0), 2, column);
+    way_y = way_to<F>(planes.origin_y, planes.extent, slice<Scaled>(of_t * inverse.inverse, 0), 2, row);
+  } else {
+    way_x = way_to<F>(planes.origin_x, planes.extent, s, 0, column);
+    way_y = way_to<F>(planes.origin_y, planes.extent, t, 0, row);
   }
-  const int places = int(raw(planes.extent)) + F::kVectorFraction;
-  const std::int64_t way_x = way_to<F>(planes.origin_x, place_offset(u, point, places), x);
-  const std::int64_t way_y = way_to<F>(planes.origin_y, place_offset(v, point, places), y);
-  if (!vector_fits<F>(way_x) || !vector_fits<F>(way_y)) return out;
+  const Vector vector_x = way_x, vector_y = way_y;
+  if (vector_x != way_x || vector_y != way_y) return out;  // they do not fit
   out.there = from_raw<Bit>(1);
-  out.x = from_raw<typename F::Vector>(way_x);
-  out.y = from_raw<typename F::Vector>(way_y);
+  out.x = vector_x;
+  out.y = vector_y;
   if (!F::kRelights) return out;
   out.r = plane_at<F>(planes.colour[0], planes.colour_dx[0], planes.colour_dy[0], x, y);
   out.g = plane_at<F>(planes.colour[1], planes.colour_dx[1], planes.colour_dy[1], x, y);
   out.b = plane_at<F>(planes.colour[2], planes.colour_dx[2], planes.colour_dy[2], x, y);
+  return out;
+}
+
+// The word of a pixel that shows a triangle, but for `last`: of state and pixel alone.
+template <class F>
+Motion<F> motion_pixel(const MotionPlanes<F>& planes, int x, int y) {
+  Motion<F> out;
+  out.last = from_raw<Bit>(0);
+  out.x = from_raw<typename F::X>(x);
+  out.y = from_raw<typename F::Y>(y);
+  out.face = planes.face;
+Keys:
+  for (int k = 0; k < kKeys; ++k) {
+    HS_UNROLL
+    out.key[k] = key_vector<F>(planes.key[k], x, y);
+  }
+  return out;
+}
+
+// The word of a frame that shows none.
+template <class F>
+Motion<F> background_pixel(int x, int y) {
+  Motion<F> out{};
+  out.x = from_raw<typename F::X>(x);
+  out.y = from_raw<typename F::Y>(y);
   return out;
 }
 
@@ -98,25 +125,19 @@ bool motion_field(Stream<Scan<F>>& scan, const MotionDatabase<F>& database, Stre
 Covered:
   for (int l = 0; l < F::kLanes; ++l) {
     HS_UNROLL
-    if (raw(in.index[l]) != 0) end = l + 1;
+    if (is_set(in.index[l])) end = l + 1;
   }
   const bool none = end == 0;
-  if (none && raw(in.last)) end = 1;
+  if (none && is_set(in.last)) end = 1;
 Lanes:
   for (int l = 0; l < F::kLanes; ++l) {
     HS_PIPELINE(1)
-    if (l >= end || (!none && raw(in.index[l]) == 0)) continue;
-    Motion<F> out{};
-    out.last = from_raw<Bit>(raw(in.last) != 0 && l + 1 == end);
+    const bool covered = is_set(in.index[l]);
+    if (l >= end || (!none && !covered)) continue;
     const int pixel_x = x + l % F::kLanesX, pixel_y = y + l / F::kLanesX;
-    out.x = from_raw<typename F::X>(pixel_x);
-    out.y = from_raw<typename F::Y>(pixel_y);
-    if (!none) {
-      const MotionPlanes<F>& planes = database.planes[int(raw(in.index[l])) - 1];
-      out.face = planes.face;
-    Keys:
-      for (int k = 0; k < kKeys; ++k) out.key[k] = key_vector<F>(planes.key[k], pixel_x, pixel_y);
-    }
+    Motion<F> out = covered ? motion_pixel<F>(database.planes[int(raw(in.index[l])) - 1], pixel_x, pixel_y)
+                            : background_pixel<F>(pixel_x, pixel_y);
+    out.last = from_raw<Bit>(is_set(in.last) && l + 1 == end);
     motion.write(out);
   }
   return is_set(in.last);

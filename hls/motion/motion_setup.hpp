@@ -19,21 +19,34 @@ KeyPlanes<F> key_planes(const PlaneBase<F>& base, const VertexOrder& order, cons
   out.origin_x = given.origin_x;
   out.origin_y = given.origin_y;
   out.extent = given.extent;
-  const typename F::Coordinate* const place[3] = {given.s, given.t, given.q};
+  typename F::Coordinate place[3][3];
+PlaceVertices:
+  for (int i = 0; i < 3; ++i) {
+    HS_UNROLL
+    place[0][i] = given.s[order.vertex[i]];
+    place[1][i] = given.t[order.vertex[i]];
+    place[2][i] = given.q[order.vertex[i]];
+  }
 Places:
   for (int i = 0; i < (F::kPerspective ? 3 : 2); ++i) {
-    const auto plane = plane_setup<F, typename F::CoordinateChannel>(
-        base, place[i][order.vertex[0]], place[i][order.vertex[1]], place[i][order.vertex[2]]);
+    const auto plane = plane_setup<F, typename F::CoordinateChannel>(base, place[i][0], place[i][1], place[i][2]);
     out.start[i] = plane.start;
     out.dx[i] = plane.dx;
     out.dy[i] = plane.dy;
   }
   if (!F::kRelights) return out;
-  const typename F::Difference* const difference[3] = {given.r, given.g, given.b};
+  typename F::Difference difference[3][3];
+DifferenceVertices:
+  for (int i = 0; i < 3; ++i) {
+    HS_UNROLL
+    difference[0][i] = given.r[order.vertex[i]];
+    difference[1][i] = given.g[order.vertex[i]];
+    difference[2][i] = given.b[order.vertex[i]];
+  }
 Differences:
   for (int i = 0; i < 3; ++i) {
-    const auto plane = plane_setup<F, typename F::DifferenceChannel>(
-        base, difference[i][order.vertex[0]], difference[i][order.vertex[1]], difference[i][order.vertex[2]]);
+    const auto plane =
+        plane_setup<F, typename F::DifferenceChannel>(base, difference[i][0], difference[i][1], difference[i][2]);
     out.colour[i] = plane.start;
     out.colour_dx[i] = plane.dx;
     out.colour_dy[i] = plane.dy;
@@ -50,7 +63,7 @@ bool motion_setup(Stream<Attributes<F>>& attributes, Stream<MotionVectors<F>>& v
   out.last = in.last;
   out.empty = in.empty;
   out.index = in.index;
-  if (!raw(in.empty)) {
+  if (!is_set(in.empty)) {
     const MotionVectors<F> given = vectors.read();
     out.face = given.face;
     const PlaneBase<F> base = frame_base(in);

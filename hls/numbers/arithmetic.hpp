@@ -8,12 +8,16 @@
 //   shift_right(x, n)          x·2^−n of x's type, truncated; n is 0 … 63
 //   shift_in(x, bit)           x·2 of x's type, wrapped, with `bit` in its last place; x has no sign
 //   slice<T>(x, from)          the bits of x from place `from` on as those of T, wrapped; `from` lies inside x
+//   leading<T>(x)              the bits of T from the top bit of x down, with 0 behind if x has fewer; T has no sign
+//   low_bits(x, n)             the last n bits of x; x has no sign
+//   merged(a, b)               the bits of a or b, where one of them is 0; of one type
 //   normalize(x)               x·2^zeros with its top bit set, and zeros; x has no sign; of 0, some zeros
 //   product_modulo<T>(a, b)    a·b, its last place that of T, wrapped; of a product that may be longer than 64 bits
 //   rounded_product<T>(a, b, n)   floor(a·b·2^−n + ½) of the bits, wrapped to those of T; n is 0 … 63, b has no sign
 //                              and 40 bits at most, and the product may be longer than 64 bits
 //
-// Wider<T, n> is T with n more bits before the point, Whole<T> is T without those behind it.
+// Wider<T, n> is T with n more bits before the point, Whole<T> is T without those behind it; Refined<T, X> has those of
+// T before it and those of X behind it.
 #ifndef HALFSPACE_HLS_NUMBERS_ARITHMETIC_HPP_
 #define HALFSPACE_HLS_NUMBERS_ARITHMETIC_HPP_
 
@@ -26,6 +30,8 @@ template <class T, int More>
 using Wider = typename T::template Wider<More>;
 template <class T>
 using Whole = typename T::Whole;
+template <class T, class X>
+using Refined = typename T::template Refined<X>;
 
 template <class T>
 constexpr bool is_zero(const T& x) {
@@ -39,6 +45,20 @@ constexpr bool is_negative(const T& x) {
 template <class T, class X>
 constexpr T slice(const X& x, int from) {
   return from_raw<T>(raw(x) >> from);
+}
+
+template <class T, class X>
+constexpr T leading(const X& x) {
+  const int more = X::width() - T::width();
+  return more >= 0 ? slice<T>(x, more) : shift_left(slice<T>(x, 0), -more);
+}
+template <class T>
+constexpr T low_bits(const T& x, int n) {
+  return from_raw<T>(raw(x) & raw(T(shift_left(from_raw<T>(1), n) - from_raw<T>(1))));
+}
+template <class T>
+constexpr T merged(const T& a, const T& b) {
+  return from_raw<T>(raw(a) | raw(b));
 }
 
 template <class T>

@@ -31,6 +31,8 @@ struct LibraryFixed {
   template <int More>
   using Wider = LibraryFixed<Library, W + More, I + More, S>;
   using Whole = LibraryFixed<Library, I, I, S>;
+  template <class X>
+  using Refined = LibraryFixed<Library, I + X::kFraction, I, S>;
   using Unsigned = LibraryFixed<Library, W, I, false>;
 
   static constexpr int width() { return W; }

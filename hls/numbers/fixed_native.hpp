@@ -33,6 +33,8 @@ struct Fixed {
   template <int More>
   using Wider = Fixed<W + More, I + More, S>;
   using Whole = Fixed<I, I, S>;
+  template <class X>
+  using Refined = Fixed<I + X::kFraction, I, S>;
   using Unsigned = Fixed<W, I, false>;
 
   // For kernels, whose formats may be chosen at run time in a simulation.

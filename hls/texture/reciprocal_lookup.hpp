@@ -69,21 +69,23 @@ struct InverseCoordinate {
 template <class F>
 InverseCoordinate<F> reciprocal_lookup(const typename F::Coordinate& coordinate) {
   static constexpr InverseTable kTable = inverse_table();
-  const int top = F::Coordinate::width() - 1;
+  using Field = ufix<1 + kInverseIndexBits + kInverseOffsetBits, 1 + kInverseIndexBits>;  // with the leading one
+  using Segment = ufix<kInverseIndexBits, kInverseIndexBits>;
+  using Offset = ufix<kInverseOffsetBits, 0>;  // of a segment
+  using Value = ufix<kInverseValueFraction, kInverseValueFraction>;
+  using Slope = ufix<kInverseSlopeBits, kInverseSlopeBits>;
+  constexpr int kPlaces = kInverseValueFraction + kInverseOffsetBits - kInverseFraction;
+  using Half = ufix<kPlaces, kPlaces - kInverseOffsetBits>;
+
   const Normalized<typename F::Coordinate> normalized = normalize(coordinate);
-  const std::uint64_t q = raw(normalized.number);
-  // The leading one at `top`, and the field below it.
-  const int field_bits = kInverseIndexBits + kInverseOffsetBits;
-  const std::uint64_t field = (top < field_bits ? q << (field_bits - top) : q >> (top - field_bits));
-  const int segment = int(field >> kInverseOffsetBits & (kInverseSegments - 1));
-  const std::uint64_t offset = field & ((std::uint64_t(1) << kInverseOffsetBits) - 1);
-  const std::uint64_t line =
-      (std::uint64_t(kTable.value[segment]) << kInverseOffsetBits) - kTable.slope[segment] * offset;
-  const int places = kInverseValueFraction + kInverseOffsetBits - kInverseFraction;
+  const Field field = leading<Field>(normalized.number);
+  const int segment = int(raw(slice<Segment>(field, kInverseOffsetBits)));
+  const auto line =
+      from_raw<Value>(kTable.value[segment]) - from_raw<Slope>(kTable.slope[segment]) * slice<Offset>(field, 0);
 
   InverseCoordinate<F> result;
   result.shift = from_raw<typename F::InverseShift>(normalized.zeros);
-  result.inverse = from_raw<typename F::Inverse>((line + (std::uint64_t(1) << (places - 1))) >> places);
+  result.inverse = slice<typename F::Inverse>(line + from_raw<Half>(1 << (kPlaces - 1)), kPlaces);
   return result;
 }
 

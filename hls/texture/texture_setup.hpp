@@ -19,17 +19,24 @@ bool texture_setup(Stream<Attributes<F>>& attributes, Stream<TextureCoordinates<
   out.last = in.last;
   out.empty = in.empty;
   out.index = in.index;
-  if (!raw(in.empty)) {
+  if (!is_set(in.empty)) {
     const TextureCoordinates<F> given = coordinates.read();
     out.texture = given.texture;
     out.repeats = given.repeats;
     const PlaneBase<F> base = frame_base(in);
     const VertexOrder order = vertex_order(in);
-    const typename F::Coordinate* const component[3] = {given.s, given.t, given.q};
+    typename F::Coordinate component[3][3];
+  Vertices:
+    for (int i = 0; i < 3; ++i) {
+      HS_UNROLL
+      component[0][i] = given.s[order.vertex[i]];
+      component[1][i] = given.t[order.vertex[i]];
+      component[2][i] = given.q[order.vertex[i]];
+    }
   Components:
     for (int i = 0; i < (F::kPerspective ? 3 : 2); ++i) {
-      const auto plane = plane_setup<F, typename F::CoordinateChannel>(
-          base, component[i][order.vertex[0]], component[i][order.vertex[1]], component[i][order.vertex[2]]);
+      const auto plane =
+          plane_setup<F, typename F::CoordinateChannel>(base, component[i][0], component[i][1], component[i][2]);
       out.start[i] = plane.start;
       out.dx[i] = plane.dx;
       out.dy[i] = plane.dy;

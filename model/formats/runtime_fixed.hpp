@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A number whose width is read from a format table while the program runs. Values do not know their width; an operation
-// gives an exact integer with its binary point, and a conversion wraps to what the table says of the target.
+// gives an exact integer with its binary point, and a conversion wraps to what the table says of the target. The other
+// operand may be a number that is compiled.
 #ifndef HALFSPACE_MODEL_FORMATS_RUNTIME_FIXED_HPP_
 #define HALFSPACE_MODEL_FORMATS_RUNTIME_FIXED_HPP_
 
@@ -8,6 +9,7 @@
 #include <type_traits>
 
 #include "hls/formats/format_table.hpp"
+#include "hls/numbers/fixed_native.hpp"
 
 namespace halfspace {
 
@@ -26,18 +28,31 @@ constexpr std::int64_t runtime_scale(std::int64_t bits, int by) {
   return by >= 0 ? std::int64_t(std::uint64_t(bits) << by) : bits >> -by;
 }
 
-// More: bits before the point that the table's number does not have. IsWhole: without those behind it.
-template <NumberFormat FormatTable::*Entry, bool Signed, int More = 0, bool IsWhole = false>
+// Of none.
+constexpr NumberFormat FormatTable::*kNoEntry = nullptr;
+
+// More: bits before the point that the table's number does not have. Behind: the number whose bits behind the point it
+// has.
+template <NumberFormat FormatTable::*Entry, bool Signed, int More = 0, NumberFormat FormatTable::*Behind = Entry>
 struct RuntimeFixed {
   static constexpr bool kSigned = Signed;
+  static constexpr NumberFormat FormatTable::*kBehind = Behind;
   using Carrier = std::conditional_t<Signed, std::int64_t, std::uint64_t>;
   template <int Bits>
-  using Wider = RuntimeFixed<Entry, Signed, More + Bits, IsWhole>;
-  using Whole = RuntimeFixed<Entry, Signed, More, true>;
-  using Unsigned = RuntimeFixed<Entry, false, More, IsWhole>;
+  using Wider = RuntimeFixed<Entry, Signed, More + Bits, Behind>;
+  using Whole = RuntimeFixed<Entry, Signed, More, kNoEntry>;
+  template <class X>
+  using Refined = RuntimeFixed<Entry, Signed, More, X::kBehind>;
+  using Unsigned = RuntimeFixed<Entry, false, More, Behind>;
 
-  static int width() { return (IsWhole ? (runtime_table.*Entry).integer : (runtime_table.*Entry).width) + More; }
-  static int fraction() { return IsWhole ? 0 : (runtime_table.*Entry).width - (runtime_table.*Entry).integer; }
+  static int width() {
+    if constexpr (Behind == Entry) return (runtime_table.*Entry).width + More;
+    else return (runtime_table.*Entry).integer + More + fraction();
+  }
+  static int fraction() {
+    if constexpr (Behind == kNoEntry) return 0;
+    else return (runtime_table.*Behind).width - (runtime_table.*Behind).integer;
+  }
 
   Carrier bits;
 
@@ -66,17 +81,23 @@ struct RuntimeFixed {
 
 template <class T>
 struct IsRuntimeNumber : std::false_type {};
-template <NumberFormat FormatTable::*E, bool S, int M, bool W>
-struct IsRuntimeNumber<RuntimeFixed<E, S, M, W>> : std::true_type {};
+template <NumberFormat FormatTable::*E, bool S, int M, NumberFormat FormatTable::*X>
+struct IsRuntimeNumber<RuntimeFixed<E, S, M, X>> : std::true_type {};
 template <>
 struct IsRuntimeNumber<RuntimeResult> : std::true_type {};
+template <class T>
+struct IsNumber : IsRuntimeNumber<T> {};
+template <int W, int I, bool S>
+struct IsNumber<native::Fixed<W, I, S>> : std::true_type {};
 template <class A, class B, class R>
-using IfRuntime = std::enable_if_t<IsRuntimeNumber<A>::value && IsRuntimeNumber<B>::value, R>;
+using IfRuntime = std::enable_if_t<
+    (IsRuntimeNumber<A>::value || IsRuntimeNumber<B>::value) && IsNumber<A>::value && IsNumber<B>::value, R>;
 
-template <NumberFormat FormatTable::*E, bool S, int M, bool W>
-typename RuntimeFixed<E, S, M, W>::Carrier raw(const RuntimeFixed<E, S, M, W>& x) {
+template <NumberFormat FormatTable::*E, bool S, int M, NumberFormat FormatTable::*X>
+typename RuntimeFixed<E, S, M, X>::Carrier raw(const RuntimeFixed<E, S, M, X>& x) {
   return x.bits;
 }
+inline std::int64_t raw(const RuntimeResult& x) { return x.bits; }
 
 // Both operands on the finer grid of the two.
 struct RuntimePair {
@@ -137,6 +158,7 @@ template <class T>
 IfRuntime<T, T, T> shift_right(const T& x, int n) {
   return T::from_bits(x.bits >> n);
 }
+inline RuntimeResult shift_right(const RuntimeResult& x, int n) { return {x.bits >> n, x.fraction_bits}; }
 template <class T, class A, class B>
 IfRuntime<A, B, T> rounded_product(const A& a, const B& b, int n) {
   const __int128 twice = 2 * (__int128(a.bits) * __int128(b.bits));

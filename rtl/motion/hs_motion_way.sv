@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // From a pixel's centre to the place of the same point in a key frame, along one axis, in units of
-// 2^−VectorFraction pixels (kernel: place_offset, way_to and vector_fits in
-// hls/motion/motion_field.hpp): scaled · 2^(extent − Point) pixels from the origin, rounded half
-// up.
+// 2^−VectorFraction pixels (kernel: way_to in hls/motion/motion_field.hpp): scaled · 2^(extent −
+// Point) pixels from the origin, rounded half up.
 //
 // Interval 1, latency 3 cycles, of those in which en_i is 1.
 module hs_motion_way #(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The texels that a pixel shows, from its place in the texture (kernel: nearest_texel and
-// bilinear_texel in hls/texture/shade_texture.hpp): their address in each bank of the memory, and
+// The texels that a pixel shows, from its place in the texture (kernel: nearest_fetch and
+// bilinear_fetch in hls/texture/texel_fetch.hpp): their address in each bank of the memory, and
 // for a bilinear filter the weights of the odd column and the odd row, of 2^WeightBits.
 //
 // Two neighbours differ in the parity of a column or a row, and each of the four has a bank:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The texel that a pixel shows, from its texture coordinates (kernel: texture_position,
-// nearest_texel and bilinear_texel in hls/texture/shade_texture.hpp). The table of textures and
-// their texels are memories of this module, written word by word while no pixel is in flight.
+// The texel that a pixel shows, from its texture coordinates (kernel: texel_fetch in
+// hls/texture/texel_fetch.hpp). The table of textures and their texels are memories of this module,
+// written word by word while no pixel is in flight.
 //
 // Interval 1. Latency, of cycles in which en_i is 1, which is their only stall:
 //

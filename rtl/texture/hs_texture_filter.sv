@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // One channel of a bilinear filter: four texels, weighted, exact, then rounded once, half up
-// (kernel: bilinear_texel in hls/texture/shade_texture.hpp). Between the even and the odd one of
+// (kernel: bilinear in hls/texture/texel_filter.hpp). Between the even and the odd one of
 // two neighbours it is even + weight·(odd − even), whichever of them comes first.
 //
 // Interval 1; texel_o 6 cycles after texels_i and column_weight_i, 3 after row_weight_i, of those

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where a pixel lies along one side of its texture, modulo that side (kernel: texel_place in
-// hls/texture/shade_texture.hpp): scaled · 2^(total − Point) texels. For the nearest texel its
+// hls/texture/texel_fetch.hpp): scaled · 2^(total − Point) texels. For the nearest texel its
 // number; for a bilinear filter, half a texel to the left, with WeightBits fraction bits, rounded.
 //
 // Interval 1; place_o 3 cycles after scaled_i and total_i, 1 after log2_side_i, of those in which

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // One channel of a lit colour times a texel, of full scale each (kernel: textured in
-// hls/texture/shade_texture.hpp).
+// hls/texture/texel_filter.hpp).
 //
 // Interval 1, latency 1 cycle, of those in which en_i is 1; what follows the register is the sum
 // that divides by 2^ColourBits − 1. One multiplier.

@@ -68,6 +68,44 @@ TEST(Arithmetic, ShiftsAndSlices) {
   expect_unary<ufix<64, 64>>();
 }
 
+// The bits of T from the top one of X down.
+template <class T, class X>
+void expect_leading() {
+  const int more = X::kWidth - T::kWidth;
+  for (const std::uint64_t bits : bits_of<X>()) {
+    const Wide v = wrapped<X>(Wide(bits));
+    ASSERT_EQ(Wide(raw(leading<T>(from_raw<X>(bits)))), wrapped<T>(more >= 0 ? v >> more : v << -more)) << bits;
+  }
+}
+TEST(Arithmetic, LeadingBitsAreCutOrFilled) {
+  expect_leading<ufix<5, 5>, ufix<5, 2>>();
+  expect_leading<ufix<3, 1>, ufix<5, 2>>();
+  expect_leading<ufix<21, 9>, ufix<16, 16>>();
+  expect_leading<ufix<21, 9>, ufix<45, 45>>();
+  expect_leading<ufix<40, 9>, ufix<10, 10>>();
+  expect_leading<ufix<64, 9>, ufix<1, 1>>();
+}
+
+template <class T>
+void expect_low_bits() {
+  for (const std::uint64_t bits : bits_of<T>()) {
+    const T x = from_raw<T>(bits);
+    const Wide v = wrapped<T>(Wide(bits));
+    for (int n = 0; n <= T::kWidth; ++n) {
+      const T low = low_bits(x, n);
+      ASSERT_EQ(Wide(raw(low)), v % (Wide(1) << n)) << bits << " mod 2^" << n;
+      ASSERT_TRUE(merged(low, T(x - low)) == x) << bits;
+    }
+  }
+}
+TEST(Arithmetic, LowBitsAndTheRestAreTheNumber) {
+  expect_low_bits<ufix<1, 1>>();
+  expect_low_bits<ufix<5, 2>>();
+  expect_low_bits<ufix<32, 20>>();
+  expect_low_bits<ufix<33, 0>>();
+  expect_low_bits<ufix<63, 63>>();
+}
+
 template <class T>
 void expect_magnitude() {
   for (const std::uint64_t bits : bits_of<T>()) {
