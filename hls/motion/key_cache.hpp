@@ -6,8 +6,7 @@
 #ifndef HALFSPACE_HLS_MOTION_KEY_CACHE_HPP_
 #define HALFSPACE_HLS_MOTION_KEY_CACHE_HPP_
 
-#include "hls/formats/key_records.hpp"
-#include "hls/numbers/stream.hpp"
+#include "hls/motion/key_place.hpp"
 
 namespace halfspace {
 
@@ -29,12 +28,6 @@ struct KeyCache {
   KeyPixel<F> bank[N * N][kCacheSlots * blocks_a_tile(N)];
 };
 
-// What a filter looks at, in pixels of the key frame: columns left … right, rows top … bottom, inside the frame; empty
-// where one is beyond the other.
-struct KeyArea {
-  int left, top, right, bottom;
-};
-
 template <class F, int N>
 void empty_cache(KeyCache<F, N>& cache) {
 Slots:
@@ -44,39 +37,51 @@ Slots:
   }
 }
 
-// Fetches what the cache lacks of an area, slot after slot. `memory` has the blocks of tile (x, y) from
+// The tile of an axis that has this parity, if there is one.
+template <class Tile>
+struct ParityTile {
+  bool is_there;
+  Tile tile;
+};
+template <class Tile, int N>
+ParityTile<Tile> tile_of(const KeyAxis<Tile, N>& axis, int parity) {
+  ParityTile<Tile> out;
+  out.tile = select(int(raw(slice<Bit>(axis.first_tile, 0))) == parity, axis.first_tile, axis.last_tile);
+  out.is_there = int(raw(slice<Bit>(out.tile, 0))) == parity;
+  return out;
+}
+
+// Fetches what the cache lacks of the tiles of both axes, slot after slot. `memory` has the blocks of tile (x, y) from
 // (y · tiles_x + x) · blocks_a_tile on, row by row.
-template <class F, int N>
-void fill_cache(KeyCache<F, N>& cache, const KeyArea& area, const KeyBlock<F, N>* memory, int tiles_x,
+template <class F, int N, class Memory>
+void fill_cache(KeyCache<F, N>& cache, const KeyAxis<typename F::TileX, N>& columns,
+                const KeyAxis<typename F::TileY, N>& rows, const Memory& memory, int tiles_x,
                 Probe<KeyRequest<F>>& request, Probe<KeyBlock<F, N>>& block) {
-  if (area.left > area.right || area.top > area.bottom) return;
-  const int x0 = area.left / kKeyTile, x1 = area.right / kKeyTile, y0 = area.top / kKeyTile,
-            y1 = area.bottom / kKeyTile;
 Slots:
   for (int slot = 0; slot < kCacheSlots; ++slot) {
-    // The column and the row of this parity, if the area has them.
-    const int x = (x0 & 1) == (slot & 1) ? x0 : x1, y = (y0 & 1) == slot >> 1 ? y0 : y1;
-    if ((x & 1) != (slot & 1) || (y & 1) != slot >> 1) continue;
+    const ParityTile<typename F::TileX> x = tile_of(columns, slot & 1);
+    const ParityTile<typename F::TileY> y = tile_of(rows, slot >> 1);
+    const bool hit = cache.valid[slot] && cache.tag[slot].tile_x == x.tile && cache.tag[slot].tile_y == y.tile;
+    if (!x.is_there || !y.is_there || hit) continue;
     KeyRequest<F> tag;
-    tag.tile_x = from_raw<typename F::TileX>(x);
-    tag.tile_y = from_raw<typename F::TileY>(y);
-    const bool hit = cache.valid[slot] && raw(cache.tag[slot].tile_x) == raw(tag.tile_x) &&
-                     raw(cache.tag[slot].tile_y) == raw(tag.tile_y);
-    if (hit) continue;
+    tag.tile_x = x.tile;
+    tag.tile_y = y.tile;
     request.write(tag);
+    const int from = (int(raw(y.tile)) * tiles_x + int(raw(x.tile))) * blocks_a_tile(N);
   Blocks:
     for (int n = 0; n < blocks_a_tile(N); ++n) {
       HS_PIPELINE(1)
-      const KeyBlock<F, N> in = memory[(y * tiles_x + x) * blocks_a_tile(N) + n];
+      const KeyBlock<F, N> in = memory[from + n];
       block.write(in);
     Banks:
       for (int bank = 0; bank < N * N; ++bank) {
         HS_UNROLL
-        KeyPixel<F>& pixel = cache.bank[bank][slot * blocks_a_tile(N) + n];
+        KeyPixel<F> pixel;
         pixel.r = in.r[bank];
         pixel.g = in.g[bank];
         pixel.b = in.b[bank];
         pixel.face = in.face[bank];
+        cache.bank[bank][slot * blocks_a_tile(N) + n] = pixel;
       }
     }
     cache.valid[slot] = true;
@@ -84,12 +89,56 @@ Slots:
   }
 }
 
-// Pixel (x, y) of the key frame, of which the cache holds the tile.
+// Of pixel (column, row) of the key frame, of which the cache holds the tile, the address in its bank.
+template <int N>
+int bank_address(int column, int row) {
+  constexpr int kLog2 = exact_log2(N), kLog2Tile = exact_log2(kKeyTile);
+  const int slot = (row >> kLog2Tile & 1) << 1 | (column >> kLog2Tile & 1);
+  const int block_x = column >> kLog2 & (blocks_a_row(N) - 1), block_y = row >> kLog2 & (blocks_a_row(N) - 1);
+  return slot * blocks_a_tile(N) + block_y * blocks_a_row(N) + block_x;
+}
+
+// What was at (i + columns, j + rows) modulo N comes to (i, j).
+template <class T, int N>
+void rotate(T (&pixel)[N][N], int columns, int rows) {
+Places:
+  for (int by = 1; by < N; by *= 2) {
+    HS_UNROLL
+    T turned[N][N];
+  Columns:
+    for (int j = 0; j < N; ++j) {
+      HS_UNROLL
+      for (int i = 0; i < N; ++i) {
+        HS_UNROLL
+        turned[j][i] = pixel[j][columns & by ? (i + by) & (N - 1) : i];
+      }
+    }
+  Rows:
+    for (int j = 0; j < N; ++j) {
+      HS_UNROLL
+      for (int i = 0; i < N; ++i) {
+        HS_UNROLL
+        pixel[j][i] = turned[rows & by ? (j + by) & (N - 1) : j][i];
+      }
+    }
+  }
+}
+
+// The N × N pixels from (column, row) of the key frame on, of which the cache holds the tiles: one of each bank, and
+// then turned until (i, j) of them is at (i, j).
 template <class F, int N>
-const KeyPixel<F>& cached_pixel(const KeyCache<F, N>& cache, int x, int y) {
-  const int slot = (y / kKeyTile & 1) << 1 | (x / kKeyTile & 1);
-  const int n = y % kKeyTile / N * blocks_a_row(N) + x % kKeyTile / N;
-  return cache.bank[y % N * N + x % N][slot * blocks_a_tile(N) + n];
+void read_cache(const KeyCache<F, N>& cache, int column, int row, KeyPixel<F> (&pixel)[N][N]) {
+BankRows:
+  for (int j = 0; j < N; ++j) {
+    HS_UNROLL
+  BankColumns:
+    for (int i = 0; i < N; ++i) {
+      HS_UNROLL
+      const int x = column + ((i - column) & (N - 1)), y = row + ((j - row) & (N - 1));
+      pixel[j][i] = cache.bank[N * j + i][bank_address<N>(x, y)];
+    }
+  }
+  rotate(pixel, column, row);
 }
 
 }  // namespace halfspace

@@ -1,110 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a filter takes of the pixels around a place in a key frame. Weights are separable; along an axis with t from the
-// centre of the pixel before the place to that of the one behind it, in [0, 1):
-//
-//   bilinear   1 − t, t: the areas that a unit pixel about the place shares with them
-//   area       those areas, each divided by the distance of its pixel: (1 − t)/t to t/(1 − t), which over their sum are
-//              (1 − t)²/d, t²/d, d = (1 − t)² + t²
-//   bicubic    Catmull and Rom: (−t + 2t² − t³)/2, (2 − 5t² + 3t³)/2, (t + 4t² − 3t³)/2, (t³ − t²)/2
-//
-// A table has them as whole numbers of 2^−w: each rounded half up, and what their sum then lacks of 1 is added to the
-// largest, so that a picture of one colour keeps it. Sums of products are exact.
+// What a filter makes of the pixels around a place in a key frame. Sums of products are exact.
 #ifndef HALFSPACE_HLS_MOTION_KEY_FILTER_HPP_
 #define HALFSPACE_HLS_MOTION_KEY_FILTER_HPP_
 
-#include "hls/formats/key_records.hpp"
-#include "hls/numbers/stream.hpp"
+#include "hls/motion/key_cache.hpp"
+#include "hls/motion/key_weights.hpp"
+#include "hls/numbers/arithmetic.hpp"
 
 namespace halfspace {
 
-// Of the pixels one before the place and another, one behind it and another: in the order of their columns.
-constexpr int kMostTaps = 4;
-struct AxisWeights {
-  std::int16_t tap[kMostTaps];
-};
-
-// n/d of 2^w, each rounded half up; the rest to the largest, the first of these if there are two.
-constexpr AxisWeights rounded_weights(const std::int64_t (&n)[kMostTaps], std::int64_t d, int w) {
-  AxisWeights out{};
-  std::int64_t rest = std::int64_t(1) << w;
-  int largest = 0;
-  for (int i = 0; i < kMostTaps; ++i) {
-    // Floor, where the division of C++ is not.
-    const std::int64_t twice = n[i] * (std::int64_t(1) << (w + 1)) + d;
-    const std::int64_t weight = twice >= 0 ? twice / (2 * d) : -((-twice + 2 * d - 1) / (2 * d));
-    out.tap[i] = std::int16_t(weight);
-    rest -= weight;
-    if (n[i] > n[largest]) largest = i;
-  }
-  out.tap[largest] = std::int16_t(out.tap[largest] + rest);
-  return out;
-}
-
-// At t = n·2^−g.
-constexpr AxisWeights axis_weights(KeyFilter filter, std::int64_t n, int g, int w) {
-  const std::int64_t one = std::int64_t(1) << g, m = one - n;
-  if (filter == KeyFilter::kBicubic) {
-    const std::int64_t taps[kMostTaps] = {-n * m * m, 2 * one * one * one - 5 * one * n * n + 3 * n * n * n,
-                                          one * one * n + 4 * one * n * n - 3 * n * n * n, -n * n * m};
-    return rounded_weights(taps, 2 * one * one * one, w);
-  }
-  const bool by_area = filter == KeyFilter::kArea;
-  const std::int64_t before = by_area ? m * m : m, behind = by_area ? n * n : n;
-  const std::int64_t taps[kMostTaps] = {0, before, behind, 0};
-  return rounded_weights(taps, before + behind, w);
-}
-
-// The tables of a configuration: at t = n·2^−g, entry n. `outer` is of bicubic filters alone; `inner` is of those where
-// a pixel of the sixteen is missing, too.
-constexpr KeyFilter inner_filter(KeyFilter filter) {
-  return filter == KeyFilter::kArea ? filter : KeyFilter::kBilinear;
-}
-template <class F>
-struct KeyWeights {
-  static constexpr int kFraction = F::kVectorFraction + F::kLog2Samples;
-  static constexpr int kOuter = F::kFilter == KeyFilter::kBicubic ? 1 << kFraction : 1;
-  AxisWeights inner[1 << kFraction], outer[kOuter];
-};
-template <class F>
-constexpr KeyWeights<F> key_weights() {
-  KeyWeights<F> weights{};
-  const int g = KeyWeights<F>::kFraction, w = F::kWeightBits;
-  for (int n = 0; n < 1 << g; ++n) {
-    weights.inner[n] = axis_weights(inner_filter(F::kFilter), n, g, w);
-    if (F::kFilter == KeyFilter::kBicubic) weights.outer[n] = axis_weights(F::kFilter, n, g, w);
-  }
-  return weights;
-}
-
-// Whether they are what formats.hpp says. With p the positive part of a sum of 1 and p − 1 the negative one, two axes
-// reach from −2p(p − 1) to p² + (p − 1)² of full scale: −½ and 3/2 are what key_sum has room for.
-constexpr bool weights_fit(KeyFilter filter, int g, int w) {
-  for (int n = 0; n < 1 << g; ++n) {
-    const AxisWeights weights = axis_weights(filter, n, g, w);
-    std::int64_t sum = 0, positive = 0;
-    for (int i = 0; i < kMostTaps; ++i) {
-      const std::int64_t weight = weights.tap[i];
-      sum += weight;
-      positive += weight > 0 ? weight : 0;
-      if (2 * weight < -(1 << w) || weight > 1 << w) return false;
-    }
-    const std::int64_t negative = positive - (1 << w), one = std::int64_t(1) << 2 * w;
-    if (sum != 1 << w || 4 * positive * negative > one) return false;
-    if (2 * (positive * positive + negative * negative) > 3 * one) return false;
-  }
-  return true;
-}
-
-static_assert(weights_fit(KeyFilter::kBilinear, 5, 4) && weights_fit(KeyFilter::kArea, 5, 6) &&
-                  weights_fit(KeyFilter::kBicubic, 6, 2) && weights_fit(KeyFilter::kBicubic, 8, 8),
-              "the weights of an axis sum to 1, and two axes to no more than key_sum holds");
-
-// The pixels that a filter takes, 4 by 4 in the order of rows; nearest (1, 1) alone, others but bicubic the inner four.
+// N × N pixels, [row][column]: of 4 × 4 the inner four are about the place, of 2 × 2 all; nearest takes (0, 0) alone.
 // Those that lie outside the frame or are of another face do not match, and their colour means nothing.
-template <class F>
+template <class F, int N>
 struct KeyTaps {
-  bool match[kMostTaps * kMostTaps];
-  typename F::Colour r[kMostTaps * kMostTaps], g[kMostTaps * kMostTaps], b[kMostTaps * kMostTaps];
+  KeyPixel<F> pixel[N][N];
+  bool match[N][N];
 };
 
 // What one key makes of a pixel in between.
@@ -127,66 +37,74 @@ inline int standing_tap(const bool (&match)[4], int tx, int ty, int g) {
   return nearest ^ 3;
 }
 
-// One channel, by the weights of its columns and rows.
-template <class F>
-typename F::KeySum filtered_channel(const typename F::Colour (&colour)[kMostTaps * kMostTaps],
-                                    const AxisWeights& columns, const AxisWeights& rows) {
-  std::int64_t sum = 0;
-Rows:
-  for (int j = 0; j < kMostTaps; ++j) {
-    HS_UNROLL
-    std::int32_t row = 0;
-  Columns:
-    for (int i = 0; i < kMostTaps; ++i) {
-      HS_UNROLL
-      row += std::int32_t(columns.tap[i]) * std::int32_t(raw(colour[kMostTaps * j + i]));
-    }
-    sum += std::int64_t(rows.tap[j]) * row;
-  }
-  return from_raw<typename F::KeySum>(sum);
+// Σ weights·values along an axis. The weights sum to 1, so that one of the values needs no product.
+template <class F, class Sum, class Value>
+Sum weighted(const AxisWeights& weights, const Value (&value)[2]) {
+  return value[0] + (value[1] - value[0]) * from_raw<typename F::TapWeight>(weights.tap[2]);
+}
+template <class F, class Sum, class Value>
+Sum weighted(const AxisWeights& weights, const Value (&value)[4]) {
+  using Weight = typename F::TapWeight;
+  return value[1] + (value[0] - value[1]) * from_raw<Weight>(weights.tap[0]) +
+         (value[2] - value[1]) * from_raw<Weight>(weights.tap[2]) +
+         (value[3] - value[1]) * from_raw<Weight>(weights.tap[3]);
 }
 
-// tx, ty: the fractions of the place, g bits.
-template <class F>
-KeyColour<F> filtered_key(const KeyWeights<F>& weights, KeyTaps<F> taps, int tx, int ty) {
-  static constexpr int kInner[4] = {5, 6, 9, 10};
-  const int g = F::kVectorFraction + F::kLog2Samples;
+// One channel, by the weights of its columns and rows.
+template <class F, int N>
+typename F::KeySum filtered_channel(const typename F::Colour (&colour)[N][N], const AxisWeights& columns,
+                                    const AxisWeights& rows) {
+  using Row = Refined<typename F::KeySum, typename F::TapWeight>;
+  Row row[N];
+Rows:
+  for (int j = 0; j < N; ++j) {
+    HS_UNROLL
+    row[j] = weighted<F, Row>(columns, colour[j]);
+  }
+  return weighted<F, typename F::KeySum>(rows, row);
+}
+
+// tx, ty: the fractions of the place, g bits. Of its arguments alone: a tool may pipeline it as it is.
+template <class F, int N>
+KeyColour<F> filtered_key(const KeyWeights<F>& weights, const KeyTaps<F, N>& taps, int tx, int ty) {
+  constexpr int k0 = N == 4 ? 1 : 0, k1 = k0 + 1;  // columns and rows of the inner four
   KeyColour<F> out;
   if (F::kFilter == KeyFilter::kNearest) {
-    out.shown = taps.match[kInner[0]];
-    out.r = from_raw<typename F::KeySum>(std::int64_t(raw(taps.r[kInner[0]])) << 2 * F::kWeightBits);
-    out.g = from_raw<typename F::KeySum>(std::int64_t(raw(taps.g[kInner[0]])) << 2 * F::kWeightBits);
-    out.b = from_raw<typename F::KeySum>(std::int64_t(raw(taps.b[kInner[0]])) << 2 * F::kWeightBits);
+    out.shown = taps.match[0][0];
+    out.r = taps.pixel[0][0].r;
+    out.g = taps.pixel[0][0].g;
+    out.b = taps.pixel[0][0].b;
     return out;
   }
-  bool inner[4], all = F::kFilter == KeyFilter::kBicubic;
-Matches:
-  for (int i = 0; i < kMostTaps * kMostTaps; ++i) {
-    HS_UNROLL
-    all = all && taps.match[i];
-  }
-Inner:
-  for (int i = 0; i < 4; ++i) {
-    HS_UNROLL
-    inner[i] = taps.match[kInner[i]];
-  }
-  const int number = standing_tap(inner, tx, ty, g), standing = kInner[number];
+  const bool inner[4] = {taps.match[k0][k0], taps.match[k0][k1], taps.match[k1][k0], taps.match[k1][k1]};
+  const int standing = standing_tap(inner, tx, ty, F::KeyPlace::fraction());
+  const bool right = (standing & 1) != 0, below = (standing & 2) != 0;
+  const AxisWeights &inner_x = weights.inner[tx], &inner_y = weights.inner[ty];
   // A pixel without weight shows nothing of the place: it lies on the centre of another, or next to it.
-  out.shown = taps.match[standing] && weights.inner[tx].tap[1 + (number & 1)] != 0 &&
-              weights.inner[ty].tap[1 + (number >> 1)] != 0;
-Stand:
-  for (int i = 0; i < 4; ++i) {
+  out.shown = (inner[0] || inner[1] || inner[2] || inner[3]) && inner_x.tap[right ? 2 : 1] != 0 &&
+              inner_y.tap[below ? 2 : 1] != 0;
+  const KeyPixel<F>& stands = taps.pixel[below ? k1 : k0][right ? k1 : k0];
+  typename F::Colour r[N][N], g[N][N], b[N][N];
+  bool all = N == 4;
+Rows:
+  for (int j = 0; j < N; ++j) {
     HS_UNROLL
-    if (inner[i]) continue;
-    taps.r[kInner[i]] = taps.r[standing];
-    taps.g[kInner[i]] = taps.g[standing];
-    taps.b[kInner[i]] = taps.b[standing];
+  Columns:
+    for (int i = 0; i < N; ++i) {
+      HS_UNROLL
+      const bool is_inner = i >= k0 && i <= k1 && j >= k0 && j <= k1;
+      const KeyPixel<F>& pixel = is_inner && !taps.match[j][i] ? stands : taps.pixel[j][i];
+      r[j][i] = pixel.r;
+      g[j][i] = pixel.g;
+      b[j][i] = pixel.b;
+      all = all && taps.match[j][i];
+    }
   }
-  const AxisWeights columns = all ? weights.outer[tx] : weights.inner[tx];
-  const AxisWeights rows = all ? weights.outer[ty] : weights.inner[ty];
-  out.r = filtered_channel<F>(taps.r, columns, rows);
-  out.g = filtered_channel<F>(taps.g, columns, rows);
-  out.b = filtered_channel<F>(taps.b, columns, rows);
+  const AxisWeights columns = N == 4 && all ? weights.outer[tx] : inner_x;
+  const AxisWeights rows = N == 4 && all ? weights.outer[ty] : inner_y;
+  out.r = filtered_channel<F>(r, columns, rows);
+  out.g = filtered_channel<F>(g, columns, rows);
+  out.b = filtered_channel<F>(b, columns, rows);
   return out;
 }
 

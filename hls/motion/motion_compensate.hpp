@@ -18,93 +18,56 @@
 #ifndef HALFSPACE_HLS_MOTION_MOTION_COMPENSATE_HPP_
 #define HALFSPACE_HLS_MOTION_MOTION_COMPENSATE_HPP_
 
-#include "hls/motion/key_cache.hpp"
 #include "hls/motion/key_filter.hpp"
 
 namespace halfspace {
 
-// The memory and the cache of a key frame.
+// What comes of a key for a pixel, if the word has a vector to it: of what was fetched alone.
 template <class F, int N>
-struct KeyPort {
-  KeyCache<F, N>* cache;
-  const KeyBlock<F, N>* memory;
-  Probe<KeyRequest<F>>* request;
-  Probe<KeyBlock<F, N>>* block;
-};
-
-// Pixels of a key frame for so many in between.
-template <class F>
-int key_pixels(int pixels) {
-  return (pixels + (1 << F::kLog2Samples) - 1) >> F::kLog2Samples;
-}
-
-template <class F, int N>
-KeyColour<F> key_colour(const CompensationFrame<F>& frame, const KeyWeights<F>& weights, const Motion<F>& in,
-                        const KeyVector<F>& v, const KeyPort<F, N>& port) {
-  constexpr int kLast = kMostTaps - 1;
-  const bool nearest = F::kFilter == KeyFilter::kNearest;
-  const int width = key_pixels<F>(int(raw(frame.width))), height = key_pixels<F>(int(raw(frame.height)));
-  // Whole numbers of 2^−g pixels of the key frame. Nearest: the pixel of the place itself; else the one before its
-  // centre.
-  const int f = F::kVectorFraction, g = f + F::kLog2Samples, half = nearest ? 0 : 1 << (g - 1);
-  const int place_x = (2 * int(raw(in.x)) + 1) * (1 << (f - 1)) + int(raw(v.x)) - half;
-  const int place_y = (2 * int(raw(in.y)) + 1) * (1 << (f - 1)) + int(raw(v.y)) - half;
-  const int column = place_x >> g, row = place_y >> g, mask = (1 << g) - 1;
-  const int before = N == 4 ? 1 : 0, after = N == 4 ? 2 : nearest ? 0 : 1;
-  KeyTaps<F> taps;
-  KeyArea area;
-  const bool there = raw(in.face) != 0 && raw(v.there) != 0;
-  area.left = column - before > 0 ? column - before : 0;
-  area.top = row - before > 0 ? row - before : 0;
-  area.right = !there ? -1 : column + after < width ? column + after : width - 1;
-  area.bottom = row + after < height ? row + after : height - 1;
-  fill_cache(*port.cache, area, port.memory, (width + kKeyTile - 1) / kKeyTile, *port.request, *port.block);
+KeyColour<F> key_colour(const KeyWeights<F>& weights, const Motion<F>& in, const KeyVector<F>& v,
+                        const KeyAxis<typename F::TileX, N>& columns, const KeyAxis<typename F::TileY, N>& rows,
+                        const KeyPixel<F> (&pixel)[N][N]) {
+  const bool there = is_set(in.face) && is_set(v.there);
+  KeyTaps<F, N> taps;
 Rows:
-  for (int j = 0; j <= kLast; ++j) {
+  for (int j = 0; j < N; ++j) {
     HS_UNROLL
   Columns:
-    for (int i = 0; i <= kLast; ++i) {
+    for (int i = 0; i < N; ++i) {
       HS_UNROLL
-      const int x = column - 1 + i, y = row - 1 + j, n = kMostTaps * j + i;
-      taps.match[n] = false;
-      taps.r[n] = taps.g[n] = taps.b[n] = typename F::Colour();
-      if (x < area.left || x > area.right || y < area.top || y > area.bottom) continue;
-      const KeyPixel<F>& pixel = cached_pixel(*port.cache, x, y);
-      taps.match[n] = raw(pixel.face) == raw(in.face);
-      taps.r[n] = pixel.r;
-      taps.g[n] = pixel.g;
-      taps.b[n] = pixel.b;
+      taps.pixel[j][i] = pixel[j][i];
+      taps.match[j][i] = there && columns.inside[i] && rows.inside[j] && pixel[j][i].face == in.face;
     }
   }
-  KeyColour<F> out = filtered_key<F>(weights, taps, place_x & mask, place_y & mask);
+  KeyColour<F> out = filtered_key<F, N>(weights, taps, columns.fraction, rows.fraction);
   if (F::kRelights) {
-    const std::int64_t zero = std::int64_t(1) << (F::kColourBits + kDifferenceFraction);
+    using KeySum = typename F::KeySum;
+    const KeySum zero = from_raw<KeySum>(1 << (F::kColourBits + 2 * F::kWeightBits));
     const int places = 2 * F::kWeightBits - kDifferenceFraction;
-    out.r = from_raw<typename F::KeySum>(std::int64_t(raw(out.r)) + (std::int64_t(raw(v.r)) - zero) * (1 << places));
-    out.g = from_raw<typename F::KeySum>(std::int64_t(raw(out.g)) + (std::int64_t(raw(v.g)) - zero) * (1 << places));
-    out.b = from_raw<typename F::KeySum>(std::int64_t(raw(out.b)) + (std::int64_t(raw(v.b)) - zero) * (1 << places));
+    out.r = out.r + shift_left(slice<KeySum>(v.r, 0), places) - zero;
+    out.g = out.g + shift_left(slice<KeySum>(v.g, 0), places) - zero;
+    out.b = out.b + shift_left(slice<KeySum>(v.b, 0), places) - zero;
   }
   return out;
 }
 
-// `weight` of 2^w is key 0's.
+// `weight` is key 0's.
 template <class F>
-typename F::Colour blended(const typename F::KeySum& key_0, const typename F::KeySum& key_1, int weight) {
-  const int w = F::kWeightBits;
-  const std::int64_t sum = weight * std::int64_t(raw(key_0)) + ((1 << w) - weight) * std::int64_t(raw(key_1));
-  const std::int64_t rounded =
-      (std::int64_t(raw(from_raw<typename F::KeyBlend>(sum))) + (std::int64_t(1) << (3 * w - 1))) >> 3 * w;
-  const std::int64_t most = (1 << F::kColourBits) - 1;
-  return from_raw<typename F::Colour>(rounded < 0 ? 0 : rounded > most ? most : rounded);
+typename F::Colour blended(const typename F::KeySum& key_0, const typename F::KeySum& key_1,
+                           const typename F::KeyWeight& weight) {
+  using Blend = typename F::KeyBlend;
+  using Level = Whole<Wider<Blend, 1>>;
+  const Blend sum = key_1 + (key_0 - key_1) * weight;
+  const Level level = sum + from_raw<Blend>(1 << (3 * F::kWeightBits - 1));
+  const Level most = from_raw<Level>((1 << F::kColourBits) - 1);
+  return select(is_negative(level), from_raw<Level>(0), select(level > most, most, level));
 }
 
-// Port k is key k's. The caches are empty before the first word, and after the last one of a frame.
-template <class F, int N>
-bool motion_compensate(const CompensationFrame<F>& frame, const KeyWeights<F>& weights, Stream<Motion<F>>& motion,
-                       const KeyPort<F, N> (&port)[kKeys], Stream<Compensated<F>>& compensated) {
-  const Motion<F> in = motion.read();
-  const KeyColour<F> key_0 = key_colour<F, N>(frame, weights, in, in.key[0], port[0]);
-  const KeyColour<F> key_1 = key_colour<F, N>(frame, weights, in, in.key[1], port[1]);
+// The word that is sent for one of motion.
+template <class F>
+Compensated<F> compensated_pixel(const CompensationFrame<F>& frame, const Motion<F>& in, const KeyColour<F>& key_0,
+                                 const KeyColour<F>& key_1) {
+  using Weight = typename F::KeyWeight;
   Compensated<F> out;
   out.last = in.last;
   out.x = in.x;
@@ -112,15 +75,46 @@ bool motion_compensate(const CompensationFrame<F>& frame, const KeyWeights<F>& w
   out.keys = from_raw<Keys>(int(key_1.shown) << 1 | int(key_0.shown));
   out.r = out.g = out.b = typename F::Colour();
   if (key_0.shown || key_1.shown) {
-    const int weight = !key_1.shown ? 1 << F::kWeightBits : !key_0.shown ? 0 : int(raw(frame.weight));
+    const Weight weight = select(!key_1.shown, from_raw<Weight>(1 << F::kWeightBits),
+                                 select(key_0.shown, frame.weight, from_raw<Weight>(0)));
     out.r = blended<F>(key_0.r, key_1.r, weight);
     out.g = blended<F>(key_0.g, key_1.g, weight);
     out.b = blended<F>(key_0.b, key_1.b, weight);
   }
-  compensated.write(out);
-  if (raw(in.last)) {
-    empty_cache(*port[0].cache);
-    empty_cache(*port[1].cache);
+  return out;
+}
+
+// Fetches what the cache of a key lacks, reads it, and makes of it what comes of the key.
+template <class F, int N, class Memory>
+KeyColour<F> fetched_colour(const CompensationFrame<F>& frame, const KeyWeights<F>& weights, const Motion<F>& in,
+                            const KeyVector<F>& v, KeyCache<F, N>& cache, const Memory& memory,
+                            Probe<KeyRequest<F>>& request, Probe<KeyBlock<F, N>>& block) {
+  const KeyNumber<F> width = key_pixels<F>(frame.width), height = key_pixels<F>(frame.height);
+  const KeyAxis<typename F::TileX, N> columns = key_axis<F, typename F::TileX, N>(width, in.x, v.x);
+  const KeyAxis<typename F::TileY, N> rows = key_axis<F, typename F::TileY, N>(height, in.y, v.y);
+  if (is_set(in.face) && is_set(v.there) && columns.any_inside && rows.any_inside) {
+    fill_cache(cache, columns, rows, memory, key_tiles(width), request, block);
+  }
+  KeyPixel<F> pixel[N][N];
+  read_cache(cache, columns.first, rows.first, pixel);
+  return key_colour<F, N>(weights, in, v, columns, rows, pixel);
+}
+
+// memory_k: blocks of key frame k, an array or what is read like one. The caches are empty before the first word, and
+// after the last one of a frame.
+template <class F, int N, class Memory>
+bool motion_compensate(const CompensationFrame<F>& frame, const KeyWeights<F>& weights, KeyCache<F, N>& cache_0,
+                       KeyCache<F, N>& cache_1, const Memory& memory_0, const Memory& memory_1,
+                       Stream<Motion<F>>& motion, Probe<KeyRequest<F>>& request_0, Probe<KeyBlock<F, N>>& block_0,
+                       Probe<KeyRequest<F>>& request_1, Probe<KeyBlock<F, N>>& block_1,
+                       Stream<Compensated<F>>& compensated) {
+  const Motion<F> in = motion.read();
+  const KeyColour<F> key_0 = fetched_colour<F, N>(frame, weights, in, in.key[0], cache_0, memory_0, request_0, block_0);
+  const KeyColour<F> key_1 = fetched_colour<F, N>(frame, weights, in, in.key[1], cache_1, memory_1, request_1, block_1);
+  compensated.write(compensated_pixel(frame, in, key_0, key_1));
+  if (is_set(in.last)) {
+    empty_cache(cache_0);
+    empty_cache(cache_1);
   }
   return is_set(in.last);
 }

@@ -21,11 +21,10 @@ extern "C" void motion_compensate_top(int width, int height, int weight, const s
   frame.weight = from_raw<F::KeyWeight>(weight);
   Probe<KeyRequest<F>> request_0, request_1;
   Probe<KeyBlock<F, kSide>> block_0, block_1;
-  const KeyPort<F, kSide> port[kKeys] = {{&cache_0, memory_0, &request_0, &block_0},
-                                         {&cache_1, memory_1, &request_1, &block_1}};
   Stream<Motion<F>> in;
   Stream<Compensated<F>> out;
   in.write(read_fields<Motion<F>>(motion));
-  motion_compensate<F, kSide>(frame, kWeights, in, port, out);
+  motion_compensate<F, kSide>(frame, kWeights, cache_0, cache_1, memory_0, memory_1, in, request_0, block_0, request_1,
+                              block_1, out);
   write_fields(out.read(), compensated);
 }

@@ -136,13 +136,12 @@ CompensatedFrame compensate(const CompensationInput& input, const Config& config
   Probe<KeyRequest<F>> fetch[kKeys];
   std::vector<KeyRequest<F>> requests[kKeys];
   for (int k = 0; k < kKeys; ++k) fetch[k].tap(&requests[k]);
-  const KeyPort<F, N> port[kKeys] = {{&(*caches)[0], memory[0].data(), &fetch[0], &s.key_block_0},
-                                     {&(*caches)[1], memory[1].data(), &fetch[1], &s.key_block_1}};
   CompensatedFrame result;
   for (std::size_t n = 0; n < motion.size(); ++n) {
     const std::size_t before[kKeys] = {requests[0].size(), requests[1].size()};
     s.motion.write(motion_record(motion[n], n + 1 == motion.size()));
-    motion_compensate<F, N>(frame, weights, s.motion, port, s.compensated);
+    motion_compensate<F, N>(frame, weights, (*caches)[0], (*caches)[1], memory[0], memory[1], s.motion, fetch[0],
+                            s.key_block_0, fetch[1], s.key_block_1, s.compensated);
     const Compensated<F> pixel = s.compensated.read();
     result.pixels.push_back({int(raw(pixel.x)),
                              int(raw(pixel.y)),

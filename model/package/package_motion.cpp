@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hls/motion/key_filter.hpp"
+#include "hls/motion/key_weights.hpp"
 #include "model/package/package_writer.hpp"
 
 namespace halfspace::model {
@@ -11,7 +11,7 @@ void add_table(PackageWriter& out, const char* name, const std::vector<std::uint
   out.entries(name, entries, bits, int(entries.size() - 1) % 6 + 1);
 }
 
-// The weights of an axis (hls/motion/key_filter.hpp): of the pixel behind a place; bicubic, of those one further,
+// The weights of an axis (hls/motion/key_weights.hpp): of the pixel behind a place; bicubic, of those one further,
 // behind and before it.
 void add_key_tables(PackageWriter& out) {
   const Config& c = out.config();

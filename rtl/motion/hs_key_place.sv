@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where a pixel in between lies in a key frame along one axis, and which of its pixels a filter
-// takes there (kernel: key_colour in hls/motion/motion_compensate.hpp).
+// takes there (kernel: key_axis in hls/motion/key_place.hpp).
 //
 // Interval 1, latency 2, of cycles in which en_i is 1, which is their only stall.
 // The first pixel may lie before the frame, the last behind it; the tiles are those of what is

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The weights of an axis at a fraction, from the tables of the package (kernel:
-// hls/motion/key_filter.hpp): of all pixels but the one before the place, whose weight is what they
-// leave of 1.
+// hls/motion/key_weights.hpp): of all pixels but the one before the place, whose weight is what
+// they leave of 1.
 //
 // Interval 1, latency 1, of cycles in which en_i is 1; all_i one such cycle after fraction_i.
 module hs_key_weights #(
