@@ -12,6 +12,7 @@
 //   low_bits(x, n)             the last n bits of x; x has no sign
 //   merged(a, b)               the bits of a or b, where one of them is 0; of one type
 //   normalize(x)               x·2^zeros with its top bit set, and zeros; x has no sign; of 0, some zeros
+//   multiple(x, n)             n·x, exact, of a type with three bits more before the point; n is 0 … 7
 //   product_modulo<T>(a, b)    a·b, its last place that of T, wrapped; of a product that may be longer than 64 bits
 //   rounded_product<T>(a, b, n)   floor(a·b·2^−n + ½) of the bits, wrapped to those of T; n is 0 … 63, b has no sign
 //                              and 40 bits at most, and the product may be longer than 64 bits

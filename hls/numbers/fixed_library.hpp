@@ -113,6 +113,10 @@ LibraryFixed<L, W, I, S> select(bool which, const LibraryFixed<L, W, I, S>& a, c
   return which ? a : b;
 }
 template <class L, int W, int I, bool S>
+LibraryFixed<L, W + 3, I + 3, S> multiple(const LibraryFixed<L, W, I, S>& x, int n) {
+  return x * LibraryFixed<L, 3, 3, false>::from_bits(n);
+}
+template <class L, int W, int I, bool S>
 LibraryFixed<L, W, I, S> shift_left(const LibraryFixed<L, W, I, S>& x, int n) {
   return LibraryFixed<L, W, I, S>::from_result(x.number << n);
 }

@@ -149,6 +149,13 @@ constexpr Fixed<W, I, S> select(bool which, const Fixed<W, I, S>& a, const Fixed
   return result;
 }
 template <int W, int I, bool S>
+constexpr Fixed<W + 3, I + 3, S> multiple(const Fixed<W, I, S>& x, int n) {
+  using T = Fixed<W + 3, I + 3, S>;
+  T result{};
+  result.bits = typename T::Carrier(x.bits) * typename T::Carrier(n);
+  return result;
+}
+template <int W, int I, bool S>
 constexpr Fixed<W, I, S> shift_left(const Fixed<W, I, S>& x, int n) {
   return Fixed<W, I, S>::from_bits(std::uint64_t(x.bits) << n);
 }

@@ -13,101 +13,113 @@
 #define HALFSPACE_HLS_RASTER_RASTER_PINEDA_HPP_
 
 #include "hls/formats/records.hpp"
-#include "hls/numbers/stream.hpp"
+#include "hls/numbers/arithmetic.hpp"
 
 namespace halfspace {
 
-// Where the walk stands: edge functions and depth plane at the first pixel of a stamp.
+// Where the walk stands.
 template <class F>
 struct WalkPosition {
-  int x, y;  // in stamps
-  typename F::EdgeStep e[3];
-  typename F::DepthPlane depth;
+  typename F::X x;  // in stamps
+  typename F::Y y;
+  typename F::EdgeStep e[3];     // at the pixel of the stamp where it is largest: the stamp is near when all are >= 0
+  typename F::DepthPlane depth;  // at its first pixel
 };
 
 // The steps of a triangle, constant while it is walked.
 template <class F>
 struct WalkSteps {
-  typename F::EdgeStep e_x[3], e_y[3];        // to the next stamp right, below
-  typename F::EdgeStep reach[3];              // to the pixel of a stamp where the edge function is largest
-  typename F::EdgeStep lane_e[3][F::kLanes];  // to each pixel of a stamp
-  typename F::DepthPlane depth_x, depth_y, lane_depth[F::kLanes];
+  typename F::EdgeStep e_x[3], e_y[3];  // to the next stamp right, below
+  typename F::EdgeStep lane_e[3]
+                             [F::kLanes];  // to each pixel of a stamp, from the one where the edge function is largest
+  typename F::DepthPlane depth_x, depth_y, lane_depth[F::kLanes];  // from the first one
+  bool rises_right[3], rises_left[3];                              // edge functions
 };
 
 template <class F>
-WalkSteps<F> walk_steps(const Setup<F>& in) {
+HS_INLINE inline WalkSteps<F> walk_steps(const Setup<F>& in) {
+  using E = typename F::EdgeStep;
   WalkSteps<F> steps;
 Edges:
   for (int i = 0; i < 3; ++i) {
     HS_UNROLL
-    const std::int64_t dx = raw(in.e_dx[i]), dy = raw(in.e_dy[i]);
-    using E = typename F::EdgeStep;
-    steps.e_x[i] = from_raw<E>(dx * F::kLanesX);
-    steps.e_y[i] = from_raw<E>(dy * F::kLanesY);
-    steps.reach[i] = from_raw<E>((dx > 0 ? dx : 0) * (F::kLanesX - 1) + (dy > 0 ? dy : 0) * (F::kLanesY - 1));
+    const typename F::Delta dx = in.e_dx[i], dy = in.e_dy[i], level = from_raw<typename F::Delta>(0);
+    const E reach = multiple(select(is_negative(dx), level, dx), F::kLanesX - 1) +
+                    multiple(select(is_negative(dy), level, dy), F::kLanesY - 1);
+    steps.e_x[i] = multiple(dx, F::kLanesX);
+    steps.e_y[i] = multiple(dy, F::kLanesY);
+    steps.rises_left[i] = is_negative(dx);
+    steps.rises_right[i] = !is_negative(dx) && !is_zero(dx);
   EdgeLanes:
     for (int l = 0; l < F::kLanes; ++l) {
       HS_UNROLL
-      steps.lane_e[i][l] = from_raw<E>(dx * (l % F::kLanesX) + dy * (l / F::kLanesX));
+      const E offset = multiple(dx, l % F::kLanesX) + multiple(dy, l / F::kLanesX);
+      steps.lane_e[i][l] = offset - reach;
     }
   }
   if (!F::kHasDepth) return steps;
-  using Z = typename F::DepthPlane;
-  const std::int64_t dx = raw(in.depth_dx), dy = raw(in.depth_dy);
-  steps.depth_x = from_raw<Z>(dx * F::kLanesX);
-  steps.depth_y = from_raw<Z>(dy * F::kLanesY);
+  steps.depth_x = multiple(in.depth_dx, F::kLanesX);
+  steps.depth_y = multiple(in.depth_dy, F::kLanesY);
 DepthLanes:
   for (int l = 0; l < F::kLanes; ++l) {
     HS_UNROLL
-    steps.lane_depth[l] = from_raw<Z>(dx * (l % F::kLanesX) + dy * (l / F::kLanesX));
+    steps.lane_depth[l] = multiple(in.depth_dx, l % F::kLanesX) + multiple(in.depth_dy, l / F::kLanesX);
   }
   return steps;
 }
 
-// `from` moved by one stamp: step_x, step_y in {−1, 0, 1}.
 template <class F>
-WalkPosition<F> walk(const WalkPosition<F>& from, const WalkSteps<F>& steps, int step_x, int step_y) {
-  WalkPosition<F> to;
-  to.x = from.x + step_x;
-  to.y = from.y + step_y;
+HS_INLINE inline WalkPosition<F> right_of(const WalkPosition<F>& at, const WalkSteps<F>& steps) {
+  WalkPosition<F> to = at;
+  to.x = at.x + from_raw<typename F::X>(1);
 Edges:
   for (int i = 0; i < 3; ++i) {
     HS_UNROLL
-    using E = typename F::EdgeStep;
-    to.e[i] = from_raw<E>(raw(from.e[i]) +
-                          (step_x < 0   ? -raw(steps.e_x[i])
-                           : step_x > 0 ? raw(steps.e_x[i])
-                                        : 0) +
-                          (step_y > 0 ? raw(steps.e_y[i]) : 0));
+    to.e[i] = at.e[i] + steps.e_x[i];
   }
-  to.depth = from.depth;
-  if (!F::kHasDepth) return to;
-  using Z = typename F::DepthPlane;
-  to.depth = from_raw<Z>(raw(from.depth) +
-                         (step_x < 0   ? std::uint64_t(0) - raw(steps.depth_x)
-                          : step_x > 0 ? std::uint64_t(raw(steps.depth_x))
-                                       : 0) +
-                         (step_y > 0 ? raw(steps.depth_y) : 0));
+  if (F::kHasDepth) to.depth = at.depth + steps.depth_x;
+  return to;
+}
+template <class F>
+HS_INLINE inline WalkPosition<F> left_of(const WalkPosition<F>& at, const WalkSteps<F>& steps) {
+  WalkPosition<F> to = at;
+  to.x = at.x - from_raw<typename F::X>(1);
+Edges:
+  for (int i = 0; i < 3; ++i) {
+    HS_UNROLL
+    to.e[i] = at.e[i] - steps.e_x[i];
+  }
+  if (F::kHasDepth) to.depth = at.depth - steps.depth_x;
+  return to;
+}
+template <class F>
+HS_INLINE inline WalkPosition<F> below(const WalkPosition<F>& at, const WalkSteps<F>& steps) {
+  WalkPosition<F> to = at;
+  to.y = at.y + from_raw<typename F::Y>(1);
+Edges:
+  for (int i = 0; i < 3; ++i) {
+    HS_UNROLL
+    to.e[i] = at.e[i] + steps.e_y[i];
+  }
+  if (F::kHasDepth) to.depth = at.depth + steps.depth_y;
   return to;
 }
 
 template <class F>
-bool edge_near(const WalkPosition<F>& at, const WalkSteps<F>& steps, int i) {
-  return raw(from_raw<typename F::EdgeStep>(raw(at.e[i]) + raw(steps.reach[i]))) >= 0;
-}
-template <class F>
-bool near(const WalkPosition<F>& at, const WalkSteps<F>& steps) {
-  return edge_near(at, steps, 0) && edge_near(at, steps, 1) && edge_near(at, steps, 2);
+HS_INLINE inline bool is_near(const WalkPosition<F>& at) {
+  return !is_negative(at.e[0]) && !is_negative(at.e[1]) && !is_negative(at.e[2]);
 }
 
 // The coverage and depths of a stamp. Returns whether a pixel is covered.
 template <class F>
-bool cover(const Frame<F>& frame, const WalkPosition<F>& at, const WalkSteps<F>& steps, Stamp<F>& stamp) {
-  const int columns = int(raw(frame.width)) - at.x * F::kLanesX;  // of the frame from here on
-  const int rows = int(raw(frame.height)) - at.y * F::kLanesY;
-  stamp.x = from_raw<typename F::X>(at.x);
-  stamp.y = from_raw<typename F::Y>(at.y);
+HS_INLINE inline bool cover(const Frame<F>& frame, const WalkPosition<F>& at, const WalkSteps<F>& steps,
+                            Stamp<F>& stamp) {
   using E = typename F::EdgeStep;
+  const typename F::X columns = frame.width - shift_left(at.x, F::kLog2LanesX);  // of the frame from here on
+  const typename F::Y rows = frame.height - shift_left(at.y, F::kLog2LanesY);
+  const int last_column = int(raw(columns)), last_row = int(raw(rows));
+  stamp.x = at.x;
+  stamp.y = at.y;
   unsigned any = 0;
 Lanes:
   for (int l = 0; l < F::kLanes; ++l) {
@@ -115,8 +127,8 @@ Lanes:
     const E e0 = at.e[0] + steps.lane_e[0][l];
     const E e1 = at.e[1] + steps.lane_e[1][l];
     const E e2 = at.e[2] + steps.lane_e[2][l];
-    const unsigned inside = unsigned((raw(e0) | raw(e1) | raw(e2)) >= 0) & unsigned(l % F::kLanesX < columns) &
-                            unsigned(l / F::kLanesX < rows);
+    const unsigned inside = unsigned((raw(e0) | raw(e1) | raw(e2)) >= 0) & unsigned(l % F::kLanesX < last_column) &
+                            unsigned(l / F::kLanesX < last_row);
     stamp.mask[l] = from_raw<Bit>(inside);
     any |= inside;
   }
@@ -130,28 +142,6 @@ Depths:
   return any != 0;
 }
 
-// What the edges that fail at a stamp say of the way to a near one in its row.
-template <class F>
-struct SearchWay {
-  bool right, left;  // a near stamp may lie there
-};
-template <class F>
-SearchWay<F> search_way(const Setup<F>& in, const bool (&edge_near)[3]) {
-  bool want_right = false, bar_right = false, level = false;
-Edges:
-  for (int i = 0; i < 3; ++i) {
-    HS_UNROLL
-    const auto dx = raw(in.e_dx[i]);
-    want_right = want_right || (!edge_near[i] && dx > 0);
-    bar_right = bar_right || (!edge_near[i] && dx <= 0);
-    level = level || (!edge_near[i] && dx == 0);
-  }
-  SearchWay<F> way;
-  way.right = !bar_right;
-  way.left = !want_right && !level;
-  return way;
-}
-
 // The process: take() a triangle, visit() while walks(), then finish(). Each is a step of one cycle that sends a stamp
 // at most.
 template <class F>
@@ -160,20 +150,20 @@ class RasterPineda {
   HS_INLINE void take(const Setup<F>& in) {
     in_ = in;
     steps_ = walk_steps(in);
-    at_.x = int(raw(in.x_start));
-    at_.y = int(raw(in.y_min));
+    at_.x = in.x_start;
+    at_.y = in.y_min;
     at_.depth = in.depth;
   Start:
     for (int i = 0; i < 3; ++i) {
       HS_UNROLL
-      at_.e[i] = in.e[i];
+      at_.e[i] = in.e[i] - steps_.lane_e[i][0];
     }
     left_ = below_ = at_;
     left_near_ = below_near_ = pending_ = false;
     mode_ = kSearch;
     found_ = Stamp<F>{};
     found_.index = in.index;
-    walks_ = raw(in.empty) == 0;
+    walks_ = !is_set(in.empty);
   }
 
   // Of the triangle, for a Z-test that needs it.
@@ -193,10 +183,12 @@ class RasterPineda {
   bool is_last() const { return is_set(in_.last); }
 
   // Visits a stamp. Returns whether `out` is to be sent: the stamp found last waits for the next one, or for finish().
+  // All that is decided on is the sign of a sum.
   HS_INLINE bool visit(const Frame<F>& frame, Stamp<F>& out) {
-    const bool near[3] = {edge_near(at_, steps_, 0), edge_near(at_, steps_, 1), edge_near(at_, steps_, 2)};
-    bool row_done = false, sends = false;
-    if (near[0] && near[1] && near[2]) {
+    const bool can_go_right = at_.x != in_.x_max, can_go_left = at_.x != in_.x_min, has_row_below = at_.y != in_.y_max;
+    bool sends = false;
+    Mode next = kSearch;  // of the next row
+    if (is_near(at_)) {
       Stamp<F> covered;
       covered.last = from_raw<Bit>(0);
       covered.triangle_last = from_raw<Bit>(0);
@@ -207,16 +199,46 @@ class RasterPineda {
         found_ = covered;
         pending_ = true;
       }
-      row_done = !walk_on();
+      const bool left_near = can_go_left && is_near(left_of(at_, steps_));
+      if (mode_ != kRight && mode_ != kLeft) {
+        left_ = left_of(at_, steps_);
+        left_near_ = left_near;
+      }
+      if (!below_near_) {
+        below_ = below(at_, steps_);
+        below_near_ = has_row_below && is_near(below_);
+      }
+      if (mode_ != kLeft && can_go_right && is_near(right_of(at_, steps_))) {
+        next = kRight;
+      } else if (mode_ == kLeft ? left_near : left_near_) {
+        next = kLeft;
+      }
     } else {
-      row_done = !search_on(near);
+      bool rises_right = true, rises_left = true;  // all edges that fail
+    Edges:
+      for (int i = 0; i < 3; ++i) {
+        HS_UNROLL
+        rises_right = rises_right && (!is_negative(at_.e[i]) || steps_.rises_right[i]);
+        rises_left = rises_left && (!is_negative(at_.e[i]) || steps_.rises_left[i]);
+      }
+      if (rises_right && mode_ != kSearchLeft && can_go_right) {
+        next = kSearchRight;
+      } else if (rises_left && mode_ != kSearchRight && can_go_left) {
+        next = kSearchLeft;
+      }
     }
-    if (row_done) {
-      walks_ = at_.y != int(raw(in_.y_max));
-      at_ = below_near_ ? below_ : walk(at_, steps_, 0, 1);
+    if (next == kRight || next == kSearchRight) {
+      at_ = right_of(at_, steps_);
+    } else if (next == kLeft && mode_ != kLeft) {
+      at_ = left_;
+    } else if (next == kLeft || next == kSearchLeft) {
+      at_ = left_of(at_, steps_);
+    } else {
+      at_ = below_near_ ? below_ : below(at_, steps_);
       below_near_ = false;
-      mode_ = kSearch;
+      walks_ = has_row_below;
     }
+    mode_ = next;
     return sends;
   }
 
@@ -228,49 +250,8 @@ class RasterPineda {
   }
 
  private:
-  enum Mode { kSearch, kSearchRight, kSearchLeft, kRight, kLeft };
-
-  // From a near stamp to the next one of its row. Returns whether there is one.
-  HS_INLINE bool walk_on() {
-    const WalkPosition<F> right_of = walk(at_, steps_, 1, 0);
-    const WalkPosition<F> left_of = walk(at_, steps_, -1, 0);
-    const bool can_go_left = at_.x > int(raw(in_.x_min)) && near(left_of, steps_);
-    if (!below_near_ && at_.y < int(raw(in_.y_max))) {
-      below_ = walk(at_, steps_, 0, 1);
-      below_near_ = near(below_, steps_);
-    }
-    if (mode_ != kRight && mode_ != kLeft) {
-      left_ = left_of;
-      left_near_ = can_go_left;
-    }
-    if (mode_ != kLeft && at_.x < int(raw(in_.x_max)) && near(right_of, steps_)) {
-      at_ = right_of;
-      mode_ = kRight;
-    } else if (mode_ != kLeft && left_near_) {
-      at_ = left_;
-      mode_ = kLeft;
-    } else if (mode_ == kLeft && can_go_left) {
-      at_ = left_of;
-    } else {
-      return false;
-    }
-    return true;
-  }
-
-  // From a stamp that is not near towards one. Returns whether the row may still have one.
-  HS_INLINE bool search_on(const bool (&near)[3]) {
-    const SearchWay<F> way = search_way(in_, near);
-    if (way.right && mode_ != kSearchLeft && at_.x < int(raw(in_.x_max))) {
-      at_ = walk(at_, steps_, 1, 0);
-      mode_ = kSearchRight;
-    } else if (way.left && mode_ != kSearchRight && at_.x > int(raw(in_.x_min))) {
-      at_ = walk(at_, steps_, -1, 0);
-      mode_ = kSearchLeft;
-    } else {
-      return false;
-    }
-    return true;
-  }
+  // To where the walk goes: on in the row, or to the next one for kSearch.
+  enum Mode : std::uint8_t { kSearch, kSearchRight, kSearchLeft, kRight, kLeft };
 
   Setup<F> in_;
   WalkSteps<F> steps_;

@@ -151,6 +151,10 @@ IfRuntime<T, T, T> select(bool which, const T& a, const T& b) {
   return result;
 }
 template <class T>
+IfRuntime<T, T, typename T::template Wider<3>> multiple(const T& x, int n) {
+  return T::template Wider<3>::from_bits(x.bits * typename T::Carrier(n));
+}
+template <class T>
 IfRuntime<T, T, T> shift_left(const T& x, int n) {
   return T::from_bits(std::uint64_t(x.bits) << n);
 }

@@ -20,7 +20,7 @@ USES = {
     "motion/motion_field.hpp": 6,
     "objects/scan_object.hpp": 11,
     "objects/ztest_merge.hpp": 24,
-    "raster/raster_pineda.hpp": 30,
+    "raster/raster_pineda.hpp": 5,
     "setup/plane.hpp": 3,
     "setup/shade_setup.hpp": 2,
     "setup/triangle_setup.hpp": 1,

@@ -143,6 +143,24 @@ TEST(Arithmetic, NormalizesToTheTopBit) {
   expect_normalized<ufix<64, 1>>();
 }
 
+template <class T>
+void expect_multiples() {
+  for (const std::uint64_t bits : bits_of<T>()) {
+    const T x = from_raw<T>(bits);
+    for (int n = 0; n < 8; ++n) {
+      const Wider<T, 3> got = multiple(x, n);
+      ASSERT_EQ(Wide(raw(got)), Wide(raw(x)) * n) << bits << " * " << n;
+    }
+  }
+}
+TEST(Arithmetic, MultipliesByASmallNumberExactly) {
+  expect_multiples<ufix<1, 1>>();
+  expect_multiples<fix<20, 16>>();
+  expect_multiples<ufix<29, 16>>();
+  expect_multiples<fix<30, 8>>();
+  expect_multiples<fix<61, 24>>();
+}
+
 template <class T, class A, class B>
 void expect_modulo() {
   for (const std::uint64_t a : bits_of<A>()) {
