@@ -4,6 +4,7 @@
 #define HALFSPACE_HLS_NUMBERS_FIXED_NATIVE_HPP_
 
 #include "hls/numbers/fixed_rules.hpp"
+#include "hls/numbers/multiply_native.hpp"
 
 namespace halfspace {
 namespace native {
@@ -113,7 +114,7 @@ HS_FIXED_TEMPLATE constexpr HS_FIXED_SUM(true) operator-(HS_FIXED_OPERANDS) {
 HS_FIXED_TEMPLATE constexpr Fixed<W1 + W2, I1 + I2, S1 || S2> operator*(HS_FIXED_OPERANDS) {
   using T = Fixed<W1 + W2, I1 + I2, S1 || S2>;
   T product{};
-  product.bits = typename T::Carrier(a.bits) * typename T::Carrier(b.bits);
+  product.bits = multiply<W1, S1, W2, S2>(a.bits, b.bits);
   return product;
 }
 #define HS_FIXED_COMPARE(op)                                                       \

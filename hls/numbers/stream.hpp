@@ -20,6 +20,13 @@
 #define HS_UNROLL HS_PRAGMA(HLS UNROLL)
 #endif
 
+// Before a loop whose turns share their multipliers: Bambu would unroll it, other tools are asked to.
+#ifdef __BAMBU__
+#define HS_IN_TURN _Pragma("clang loop unroll(disable)")
+#else
+#define HS_IN_TURN
+#endif
+
 #ifdef HS_STREAM
 #define HS_INLINE
 namespace halfspace {

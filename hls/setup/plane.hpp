@@ -21,6 +21,14 @@
 
 namespace halfspace {
 
+// The next of three results that come in turn: the others move up.
+template <class T>
+void take_turn(T (&result)[3], const T& next) {
+  result[0] = result[1];
+  result[1] = result[2];
+  result[2] = next;
+}
+
 // The shape of a triangle, as its planes need it.
 template <class F>
 struct PlaneBase {
@@ -72,7 +80,7 @@ struct Plane {
   typename Channel::Gradient dx, dy;
 };
 
-// Two products of a value by a distance, one by R and one of a start, for x and then for y: a tool may build each once.
+// x and y take turns on two products of a value by a distance, one by R and one of a start.
 template <class F, class Channel>
 Plane<Channel> plane_setup(const PlaneBase<F>& base, const typename Channel::Value& v0,
                            const typename Channel::Value& v1, const typename Channel::Value& v2) {
@@ -87,22 +95,46 @@ Plane<Channel> plane_setup(const PlaneBase<F>& base, const typename Channel::Val
   // v0 + ½. Dropping the low f bits of the sum at the end changes no rounded value: every later step is a multiple of
   // 2^−g.
   Start start = Start(v0) + shift_left(from_raw<Start>(1), Start::fraction() - 1);
-  StartGradient gradient[2];
+  StartGradient dx{}, dy{};
 Axes:
-  for (int axis = 0; axis < 2; ++axis) {
+  HS_IN_TURN for (int axis = 0; axis < 2; ++axis) {
     const bool y = axis == 1;
     const auto first = select(y, dv2, dv1), second = select(y, dv1, dv2);
     const typename F::Delta of_first = select(y, base.dx1, base.dy2), of_second = select(y, base.dx2, base.dy1);
     const typename Channel::Numerator numerator = first * of_first - second * of_second;
-    gradient[axis] = rounded_product<StartGradient>(numerator, base.inverse.reciprocal, n);
-    start = start + product_modulo<Start>(gradient[axis], select(y, base.dy, base.dx));
+    dx = dy;
+    dy = rounded_product<StartGradient>(numerator, base.inverse.reciprocal, n);
+    start = start + product_modulo<Start>(dy, select(y, base.dy, base.dx));
   }
 
   Plane<Channel> plane;
   plane.start = start;
-  plane.dx = gradient[0];
-  plane.dy = gradient[1];
+  plane.dx = dx;
+  plane.dy = dy;
   return plane;
+}
+
+// The planes of three channels, of values[channel][vertex]: they take turns. Channel 0 leaves first, and the others
+// move up.
+template <class F, class Channel>
+struct ChannelPlanes {
+  Plane<Channel> of[3];
+};
+template <class F, class Channel>
+ChannelPlanes<F, Channel> channel_planes(const PlaneBase<F>& base, const typename Channel::Value (&values)[3][3]) {
+  using Value = typename Channel::Value;
+  Value a0 = values[0][0], a1 = values[0][1], a2 = values[0][2];
+  Value b0 = values[1][0], b1 = values[1][1], b2 = values[1][2];
+  Value c0 = values[2][0], c1 = values[2][1], c2 = values[2][2];
+  ChannelPlanes<F, Channel> planes{};
+Channels:
+  HS_IN_TURN for (int i = 0; i < 3; ++i) {
+    const Plane<Channel> plane = plane_setup<F, Channel>(base, a0, a1, a2);
+    a0 = b0, a1 = b1, a2 = b2;
+    b0 = c0, b1 = c1, b2 = c2;
+    take_turn(planes.of, plane);
+  }
+  return planes;
 }
 
 }  // namespace halfspace

@@ -25,18 +25,16 @@ Planes<F> colour_planes(const Attributes<F>& in, const typename F::Colour (&r)[3
   } else if (!raw(in.empty)) {
     const PlaneBase<F> base = frame_base(in);
     const typename F::Colour value[3][3] = {{r[0], r[1], r[2]}, {g[0], g[1], g[2]}, {b[0], b[1], b[2]}};
-    Plane<Channel> plane[3];
-  Channels:
-    for (int i = 0; i < 3; ++i) plane[i] = plane_setup<F, Channel>(base, value[i][0], value[i][1], value[i][2]);
-    out.r = plane[0].start;
-    out.r_dx = plane[0].dx;
-    out.r_dy = plane[0].dy;
-    out.g = plane[1].start;
-    out.g_dx = plane[1].dx;
-    out.g_dy = plane[1].dy;
-    out.b = plane[2].start;
-    out.b_dx = plane[2].dx;
-    out.b_dy = plane[2].dy;
+    const ChannelPlanes<F, Channel> planes = channel_planes<F, Channel>(base, value);
+    out.r = planes.of[0].start;
+    out.r_dx = planes.of[0].dx;
+    out.r_dy = planes.of[0].dy;
+    out.g = planes.of[1].start;
+    out.g_dx = planes.of[1].dx;
+    out.g_dy = planes.of[1].dy;
+    out.b = planes.of[2].start;
+    out.b_dx = planes.of[2].dx;
+    out.b_dy = planes.of[2].dy;
   }
   return out;
 }

@@ -26,19 +26,37 @@ struct OrderedTriangle {
   Bit turned;             // and whether the others follow it backwards
 };
 
+// What the three vertices have, from vertex `first` on.
+template <class T>
+struct Rotated {
+  T of[3];
+};
+template <class T>
+Rotated<T> rotated(int first, const T (&v)[3]) {
+  Rotated<T> r;
+  r.of[0] = select(first == 2, v[2], select(first == 1, v[1], v[0]));
+  r.of[1] = select(first == 2, v[0], select(first == 1, v[2], v[1]));
+  r.of[2] = select(first == 2, v[1], select(first == 1, v[0], v[2]));
+  return r;
+}
+template <class T>
+void order_values(const Rotated<T>& v, bool swap, T (&ordered)[3]) {
+  ordered[0] = v.of[0];
+  ordered[1] = select(swap, v.of[2], v.of[1]);
+  ordered[2] = select(swap, v.of[1], v.of[2]);
+}
+
 template <class F>
 OrderedTriangle<F> order_vertices(const Triangle<F>& in) {
   const bool above_1 = in.y[1] < in.y[0] || (in.y[1] == in.y[0] && in.x[1] < in.x[0]);
-  const int best_01 = above_1 ? 1 : 0;
-  const bool above_2 = in.y[2] < in.y[best_01] || (in.y[2] == in.y[best_01] && in.x[2] < in.x[best_01]);
-  const int from[5] = {0, 1, 2, 0, 1};
-  const int first = above_2 ? 2 : best_01;
-
   using Coord = typename F::Coord;
-  const Coord x0 = in.x[first], y0 = in.y[first];
-  const int a = from[first + 1], b = from[first + 2];
-  const typename F::Delta dxa = in.x[a] - x0, dya = in.y[a] - y0;
-  const typename F::Delta dxb = in.x[b] - x0, dyb = in.y[b] - y0;
+  const Coord best_x = select(above_1, in.x[1], in.x[0]), best_y = select(above_1, in.y[1], in.y[0]);
+  const bool above_2 = in.y[2] < best_y || (in.y[2] == best_y && in.x[2] < best_x);
+  const int first = above_2 ? 2 : above_1 ? 1 : 0;
+
+  const Rotated<Coord> x = rotated(first, in.x), y = rotated(first, in.y);
+  const typename F::Delta dxa = x.of[1] - x.of[0], dya = y.of[1] - y.of[0];
+  const typename F::Delta dxb = x.of[2] - x.of[0], dyb = y.of[2] - y.of[0];
   const typename F::SignedArea cross = dxa * dyb - dya * dxb;
   const bool swap = is_negative(cross);
 
@@ -47,20 +65,15 @@ OrderedTriangle<F> order_vertices(const Triangle<F>& in) {
   out.vertices.index = in.index;
   out.first = from_raw<VertexNumber>(first);
   out.turned = from_raw<Bit>(swap);
-  const int order[3] = {first, swap ? b : a, swap ? a : b};
-Vertices:
-  for (int i = 0; i < 3; ++i) {
-    HS_UNROLL
-    const int v = order[i];
-    out.vertices.x[i] = in.x[v];
-    out.vertices.y[i] = in.y[v];
-    if (F::kHasDepth) out.vertices.depth[i] = in.depth[v];
-    if (!F::kHasLighting) {
-      const int colour = F::kGouraud ? v : 0;  // flat: of the vertex that came first
-      out.vertices.r[i] = in.r[colour];
-      out.vertices.g[i] = in.g[colour];
-      out.vertices.b[i] = in.b[colour];
-    }
+  order_values(x, swap, out.vertices.x);
+  order_values(y, swap, out.vertices.y);
+  if (F::kHasDepth) order_values(rotated(first, in.depth), swap, out.vertices.depth);
+  if (!F::kHasLighting) {
+    // Flat: of the vertex that came first.
+    const int from = F::kGouraud ? first : 0;
+    order_values(rotated(from, in.r), swap, out.vertices.r);
+    order_values(rotated(from, in.g), swap, out.vertices.g);
+    order_values(rotated(from, in.b), swap, out.vertices.b);
   }
   out.dx1 = select(swap, dxb, dxa);
   out.dy1 = select(swap, dyb, dya);
@@ -144,14 +157,19 @@ bool triangle_setup(const Frame<F>& frame, Stream<Triangle<F>>& triangle, Stream
     const Coord px = Coord(shift_left(x_start, F::kLog2LanesX)) + half_pixel<F>();
     const Coord py = Coord(shift_left(y_start, F::kLog2LanesY)) + half_pixel<F>();
 
+    Coord xi = x[0], yi = y[0], x_next = x[1], y_next = y[1], x_last = x[2], y_last = y[2];
   Edges:
-    for (int i = 0; i < 3; ++i) {
+    HS_IN_TURN for (int i = 0; i < 3; ++i) {
       HS_PIPELINE(1)
-      const int next = i == 2 ? 0 : i + 1;
-      const typename F::Delta dx = x[next] - x[i], dy = y[next] - y[i];
-      out.e[i] = edge_start<F>(x[i], y[i], dx, dy, px, py);
-      out.e_dx[i] = -dy;
-      out.e_dy[i] = dx;
+      const typename F::Delta dx = x_next - xi, dy = y_next - yi;
+      const typename F::EdgeStep e = edge_start<F>(xi, yi, dx, dy, px, py);
+      take_turn(out.e, e);
+      take_turn(out.e_dx, typename F::Delta(-dy));
+      take_turn(out.e_dy, dx);
+      const Coord x_done = xi, y_done = yi;
+      xi = x_next, yi = y_next;
+      x_next = x_last, y_next = y_last;
+      x_last = x_done, y_last = y_done;
     }
 
     AreaReciprocal<F> inverse{};
