@@ -98,28 +98,24 @@ int bank_address(int column, int row) {
   return slot * blocks_a_tile(N) + block_y * blocks_a_row(N) + block_x;
 }
 
-// What was at (i + columns, j + rows) modulo N comes to (i, j).
+// What was at (i + by) modulo N of each line comes to i.
 template <class T, int N>
-void rotate(T (&pixel)[N][N], int columns, int rows) {
-Places:
-  for (int by = 1; by < N; by *= 2) {
+void rotate(T (&pixel)[N][N], int by_columns, int by_rows) {
+  T turned[N][N];
+From:
+  for (int j = 0; j < N; ++j) {
     HS_UNROLL
-    T turned[N][N];
-  Columns:
-    for (int j = 0; j < N; ++j) {
+    for (int i = 0; i < N; ++i) {
       HS_UNROLL
-      for (int i = 0; i < N; ++i) {
-        HS_UNROLL
-        turned[j][i] = pixel[j][columns & by ? (i + by) & (N - 1) : i];
-      }
+      turned[j][i] = pixel[(j + by_rows) & (N - 1)][(i + by_columns) & (N - 1)];
     }
-  Rows:
-    for (int j = 0; j < N; ++j) {
+  }
+To:
+  for (int j = 0; j < N; ++j) {
+    HS_UNROLL
+    for (int i = 0; i < N; ++i) {
       HS_UNROLL
-      for (int i = 0; i < N; ++i) {
-        HS_UNROLL
-        pixel[j][i] = turned[rows & by ? (j + by) & (N - 1) : j][i];
-      }
+      pixel[j][i] = turned[j][i];
     }
   }
 }
@@ -138,7 +134,13 @@ BankRows:
       pixel[j][i] = cache.bank[N * j + i][bank_address<N>(x, y)];
     }
   }
-  rotate(pixel, column, row);
+  // By a constant or not at all for each bit: of two, and not of N × N.
+Bits:
+  for (int by = 1; by < N; by *= 2) {
+    HS_UNROLL
+    if (column & by) rotate(pixel, by, 0);
+    if (row & by) rotate(pixel, 0, by);
+  }
 }
 
 }  // namespace halfspace

@@ -106,8 +106,8 @@ struct RuntimePair {
 
   template <class A, class B>
   RuntimePair(const A& x, const B& y) : fraction(x.fraction() > y.fraction() ? x.fraction() : y.fraction()) {
-    a = runtime_scale(std::int64_t(x.bits), fraction - x.fraction());
-    b = runtime_scale(std::int64_t(y.bits), fraction - y.fraction());
+    a = std::int64_t(std::uint64_t(x.bits) << (fraction - x.fraction()));
+    b = std::int64_t(std::uint64_t(y.bits) << (fraction - y.fraction()));
   }
 };
 
