@@ -92,8 +92,8 @@ Slots:
 // Of pixel (column, row) of the key frame, of which the cache holds the tile, the address in its bank.
 template <int N>
 int bank_address(int column, int row) {
-  constexpr int kLog2 = exact_log2(N), kLog2Tile = exact_log2(kKeyTile);
-  const int slot = (row >> kLog2Tile & 1) << 1 | (column >> kLog2Tile & 1);
+  constexpr int kLog2 = exact_log2(N);
+  const int slot = (row >> kLog2KeyTile & 1) << 1 | (column >> kLog2KeyTile & 1);
   const int block_x = column >> kLog2 & (blocks_a_row(N) - 1), block_y = row >> kLog2 & (blocks_a_row(N) - 1);
   return slot * blocks_a_tile(N) + block_y * blocks_a_row(N) + block_x;
 }

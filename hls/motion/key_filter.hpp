@@ -31,10 +31,18 @@ inline int standing_tap(const bool (&match)[4], int tx, int ty, int g) {
   const int half = 1 << (g - 1), right = tx >= half, below = ty >= half, nearest = below << 1 | right;
   const int from_x = right ? tx - half : half - tx, from_y = below ? ty - half : half - ty;
   const int first = from_x <= from_y ? 1 : 2;
-  if (match[nearest]) return nearest;
-  if (match[nearest ^ first]) return nearest ^ first;
-  if (match[nearest ^ 3 ^ first]) return nearest ^ 3 ^ first;
+  const int matches = int(match[0]) | int(match[1]) << 1 | int(match[2]) << 2 | int(match[3]) << 3;
+  if (matches >> nearest & 1) return nearest;
+  if (matches >> (nearest ^ first) & 1) return nearest ^ first;
+  if (matches >> (nearest ^ 3 ^ first) & 1) return nearest ^ 3 ^ first;
   return nearest ^ 3;
+}
+
+// At fraction t of an axis, where the two pixels about the place alone have weights.
+template <class F>
+AxisWeights inner_weights(const KeyWeights<F>& weights, int t) {
+  const std::int16_t behind = weights.inner[t].tap[2];
+  return {{0, std::int16_t((1 << F::kWeightBits) - behind), behind, 0}};
 }
 
 // Σ weights·values along an axis. The weights sum to 1, so that one of the values needs no product.
@@ -79,11 +87,13 @@ KeyColour<F> filtered_key(const KeyWeights<F>& weights, const KeyTaps<F, N>& tap
   const bool inner[4] = {taps.match[k0][k0], taps.match[k0][k1], taps.match[k1][k0], taps.match[k1][k1]};
   const int standing = standing_tap(inner, tx, ty, F::KeyPlace::fraction());
   const bool right = (standing & 1) != 0, below = (standing & 2) != 0;
-  const AxisWeights &inner_x = weights.inner[tx], &inner_y = weights.inner[ty];
+  const AxisWeights inner_x = inner_weights<F>(weights, tx), inner_y = inner_weights<F>(weights, ty);
   // A pixel without weight shows nothing of the place: it lies on the centre of another, or next to it.
-  out.shown = (inner[0] || inner[1] || inner[2] || inner[3]) && inner_x.tap[right ? 2 : 1] != 0 &&
-              inner_y.tap[below ? 2 : 1] != 0;
-  const KeyPixel<F>& stands = taps.pixel[below ? k1 : k0][right ? k1 : k0];
+  out.shown = (inner[0] || inner[1] || inner[2] || inner[3]) && (right ? inner_x.tap[2] : inner_x.tap[1]) != 0 &&
+              (below ? inner_y.tap[2] : inner_y.tap[1]) != 0;
+  const KeyPixel<F> above_stands = right ? taps.pixel[k0][k1] : taps.pixel[k0][k0];
+  const KeyPixel<F> below_stands = right ? taps.pixel[k1][k1] : taps.pixel[k1][k0];
+  const KeyPixel<F> stands = below ? below_stands : above_stands;
   typename F::Colour r[N][N], g[N][N], b[N][N];
   bool all = N == 4;
 Rows:

@@ -9,6 +9,8 @@
 
 namespace halfspace {
 
+constexpr int kLog2KeyTile = exact_log2(kKeyTile);
+
 // The number of a column or a row of pixels of a key frame: some before the first, some behind the last.
 template <class F>
 using KeyNumber = Wider<Whole<typename F::KeyPlace>, 2>;
@@ -22,7 +24,7 @@ KeyNumber<F> key_pixels(const Size& size) {
 // Tiles for so many pixels of it.
 template <class Number>
 int key_tiles(const Number& pixels) {
-  return int(raw(shift_right(Number(pixels + from_raw<Number>(kKeyTile - 1)), exact_log2(kKeyTile))));
+  return int(raw(shift_right(Number(pixels + from_raw<Number>(kKeyTile - 1)), kLog2KeyTile)));
 }
 
 // Along an axis, the pixels of a filter: N from the first one on, of which some lie inside the frame. The tiles of the
@@ -35,7 +37,6 @@ struct KeyAxis {
   Tile first_tile, last_tile;
   int fraction;  // of the place, between the centres of two pixels
 };
-constexpr int kKeyFirstBits = exact_log2(2 * kKeyTile);
 
 // `size` of the frame, in pixels of it; `pixel` of the frame in between. Of its arguments alone: a tool may pipeline it
 // as it is.
@@ -57,7 +58,7 @@ KeyAxis<Tile, N> key_axis(const KeyNumber<F>& size, const Pixel& pixel, const ty
   const Number from = select(is_negative(first), zero, first), to = select(last < size, last, Number(size - one));
 
   KeyAxis<Tile, N> axis;
-  axis.first = int(raw(slice<ufix<kKeyFirstBits, kKeyFirstBits>>(first, 0)));
+  axis.first = int(raw(slice<ufix<kLog2KeyTile + 1, kLog2KeyTile + 1>>(first, 0)));
   Number at = first;
 Inside:
   for (int i = 0; i < N; ++i) {
@@ -66,8 +67,8 @@ Inside:
     at = at + one;
   }
   axis.any_inside = from <= to;
-  axis.first_tile = slice<Tile>(from, exact_log2(kKeyTile));
-  axis.last_tile = slice<Tile>(to, exact_log2(kKeyTile));
+  axis.first_tile = slice<Tile>(from, kLog2KeyTile);
+  axis.last_tile = slice<Tile>(to, kLog2KeyTile);
   axis.fraction = int(raw(low_bits(slice<typename Place::Unsigned>(place, 0), g)));
   return axis;
 }

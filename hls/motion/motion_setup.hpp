@@ -12,6 +12,39 @@
 
 namespace halfspace {
 
+// The planes of one key after the other.
+template <class F>
+HS_SHARED void place_planes(const PlaneBase<F>& base, const VertexOrder& order, const KeyPlaces<F>& given,
+                            KeyPlanes<F>& out) {
+  typename F::Coordinate place[3][3];
+  put_in_order(given.s, order, place[0]);
+  put_in_order(given.t, order, place[1]);
+  put_in_order(given.q, order, place[2]);
+  const auto places = channel_planes<F, typename F::CoordinateChannel>(base, place, F::kPerspective ? 3 : 2);
+Places:
+  for (int i = 0; i < 3; ++i) {
+    HS_UNROLL
+    out.start[i] = places.of[i].start;
+    out.dx[i] = places.of[i].dx;
+    out.dy[i] = places.of[i].dy;
+  }
+}
+template <class F>
+HS_SHARED void difference_planes(const PlaneBase<F>& base, const VertexOrder& order, const KeyPlaces<F>& given,
+                                 KeyPlanes<F>& out) {
+  typename F::Difference difference[3][3];
+  put_in_order(given.r, order, difference[0]);
+  put_in_order(given.g, order, difference[1]);
+  put_in_order(given.b, order, difference[2]);
+  const auto differences = channel_planes<F, typename F::DifferenceChannel>(base, difference);
+Differences:
+  for (int i = 0; i < 3; ++i) {
+    HS_UNROLL
+    out.colour[i] = differences.of[i].start;
+    out.colour_dx[i] = differences.of[i].dx;
+    out.colour_dy[i] = differences.of[i].dy;
+  }
+}
 template <class F>
 KeyPlanes<F> key_planes(const PlaneBase<F>& base, const VertexOrder& order, const KeyPlaces<F>& given) {
   KeyPlanes<F> out{};
@@ -19,38 +52,8 @@ KeyPlanes<F> key_planes(const PlaneBase<F>& base, const VertexOrder& order, cons
   out.origin_x = given.origin_x;
   out.origin_y = given.origin_y;
   out.extent = given.extent;
-  typename F::Coordinate place[3][3];
-PlaceVertices:
-  for (int i = 0; i < 3; ++i) {
-    HS_UNROLL
-    place[0][i] = given.s[order.vertex[i]];
-    place[1][i] = given.t[order.vertex[i]];
-    place[2][i] = given.q[order.vertex[i]];
-  }
-Places:
-  for (int i = 0; i < (F::kPerspective ? 3 : 2); ++i) {
-    const auto plane = plane_setup<F, typename F::CoordinateChannel>(base, place[i][0], place[i][1], place[i][2]);
-    out.start[i] = plane.start;
-    out.dx[i] = plane.dx;
-    out.dy[i] = plane.dy;
-  }
-  if (!F::kRelights) return out;
-  typename F::Difference difference[3][3];
-DifferenceVertices:
-  for (int i = 0; i < 3; ++i) {
-    HS_UNROLL
-    difference[0][i] = given.r[order.vertex[i]];
-    difference[1][i] = given.g[order.vertex[i]];
-    difference[2][i] = given.b[order.vertex[i]];
-  }
-Differences:
-  for (int i = 0; i < 3; ++i) {
-    const auto plane =
-        plane_setup<F, typename F::DifferenceChannel>(base, difference[i][0], difference[i][1], difference[i][2]);
-    out.colour[i] = plane.start;
-    out.colour_dx[i] = plane.dx;
-    out.colour_dy[i] = plane.dy;
-  }
+  place_planes(base, order, given, out);
+  if (F::kRelights) difference_planes(base, order, given, out);
   return out;
 }
 

@@ -20,11 +20,14 @@
 #define HS_UNROLL HS_PRAGMA(HLS UNROLL)
 #endif
 
-// Before a loop whose turns share their multipliers: Bambu would unroll it, other tools are asked to.
+// Before a loop whose turns share their multipliers: Bambu would unroll it, other tools are asked to. And before a
+// function that its calls share: Bambu would put it into each.
 #ifdef __BAMBU__
 #define HS_IN_TURN _Pragma("clang loop unroll(disable)")
+#define HS_SHARED __attribute__((noinline))
 #else
 #define HS_IN_TURN
+#define HS_SHARED
 #endif
 
 #ifdef HS_STREAM

@@ -64,13 +64,24 @@ struct VertexOrder {
 };
 template <class F>
 VertexOrder vertex_order(const Attributes<F>& in) {
-  const int from[5] = {0, 1, 2, 0, 1};
-  const int first = int(raw(in.first)), step = raw(in.turned) ? 2 : 1;
+  const int first = int(raw(in.first));
+  const int next = first == 2 ? 0 : first + 1, other = first == 0 ? 2 : first - 1;
+  const bool turned = is_set(in.turned);
   VertexOrder order;
   order.vertex[0] = first;
-  order.vertex[1] = from[first + step];
-  order.vertex[2] = from[first + 3 - step];
+  order.vertex[1] = turned ? other : next;
+  order.vertex[2] = turned ? next : other;
   return order;
+}
+// What was given for three vertices, in that order: chosen, where an index would be an address.
+template <class T>
+void put_in_order(const T (&given)[3], const VertexOrder& order, T (&ordered)[3]) {
+Vertices:
+  for (int i = 0; i < 3; ++i) {
+    HS_UNROLL
+    const int v = order.vertex[i];
+    ordered[i] = select(v == 0, given[0], select(v == 1, given[1], given[2]));
+  }
 }
 
 // Channel: F::DepthChannel, F::ColourChannel, F::NormalChannel or F::CoordinateChannel.
@@ -114,26 +125,28 @@ Axes:
   return plane;
 }
 
-// The planes of three channels, of values[channel][vertex]: they take turns. Channel 0 leaves first, and the others
-// move up.
+// The planes of the first `count` of three channels, of values[channel][vertex]: they take turns. Channel 0 leaves
+// first, and the others move up.
 template <class F, class Channel>
 struct ChannelPlanes {
   Plane<Channel> of[3];
 };
 template <class F, class Channel>
-ChannelPlanes<F, Channel> channel_planes(const PlaneBase<F>& base, const typename Channel::Value (&values)[3][3]) {
+ChannelPlanes<F, Channel> channel_planes(const PlaneBase<F>& base, const typename Channel::Value (&values)[3][3],
+                                         int count = 3) {
   using Value = typename Channel::Value;
   Value a0 = values[0][0], a1 = values[0][1], a2 = values[0][2];
   Value b0 = values[1][0], b1 = values[1][1], b2 = values[1][2];
   Value c0 = values[2][0], c1 = values[2][1], c2 = values[2][2];
   ChannelPlanes<F, Channel> planes{};
 Channels:
-  HS_IN_TURN for (int i = 0; i < 3; ++i) {
+  HS_IN_TURN for (int i = 0; i < count; ++i) {
     const Plane<Channel> plane = plane_setup<F, Channel>(base, a0, a1, a2);
     a0 = b0, a1 = b1, a2 = b2;
     b0 = c0, b1 = c1, b2 = c2;
     take_turn(planes.of, plane);
   }
+  if (count == 2) take_turn(planes.of, Plane<Channel>{});
   return planes;
 }
 

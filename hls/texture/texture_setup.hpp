@@ -26,20 +26,17 @@ bool texture_setup(Stream<Attributes<F>>& attributes, Stream<TextureCoordinates<
     const PlaneBase<F> base = frame_base(in);
     const VertexOrder order = vertex_order(in);
     typename F::Coordinate component[3][3];
-  Vertices:
+    put_in_order(given.s, order, component[0]);
+    put_in_order(given.t, order, component[1]);
+    put_in_order(given.q, order, component[2]);
+    const auto of_coordinates =
+        channel_planes<F, typename F::CoordinateChannel>(base, component, F::kPerspective ? 3 : 2);
+  Components:
     for (int i = 0; i < 3; ++i) {
       HS_UNROLL
-      component[0][i] = given.s[order.vertex[i]];
-      component[1][i] = given.t[order.vertex[i]];
-      component[2][i] = given.q[order.vertex[i]];
-    }
-  Components:
-    for (int i = 0; i < (F::kPerspective ? 3 : 2); ++i) {
-      const auto plane =
-          plane_setup<F, typename F::CoordinateChannel>(base, component[i][0], component[i][1], component[i][2]);
-      out.start[i] = plane.start;
-      out.dx[i] = plane.dx;
-      out.dy[i] = plane.dy;
+      out.start[i] = of_coordinates.of[i].start;
+      out.dx[i] = of_coordinates.of[i].dx;
+      out.dy[i] = of_coordinates.of[i].dy;
     }
   }
   planes.write(out);

@@ -21,7 +21,7 @@ USES = {
     "objects/scan_object.hpp": 11,
     "objects/ztest_merge.hpp": 24,
     "raster/raster_pineda.hpp": 5,
-    "setup/plane.hpp": 3,
+    "setup/plane.hpp": 2,
     "setup/shade_setup.hpp": 2,
     "setup/triangle_setup.hpp": 1,
     "shade/lighting.hpp": 14,
