@@ -2,6 +2,7 @@
 // What kernels do with numbers beside + - * and comparisons. The width of every result is in a type:
 //
 //   is_zero(x), is_negative(x)
+//   trimmed(x)                 x; of one from a memory, a tool does not see that its carrier holds no more bits
 //   select(which, a, b)        a, or b if not `which`; of one type
 //   magnitude(x)               |x|, without a sign and as wide as x
 //   shift_left(x, n)           x·2^n of x's type, wrapped; n is 0 … 63
@@ -41,6 +42,11 @@ constexpr bool is_zero(const T& x) {
 template <class T>
 constexpr bool is_negative(const T& x) {
   return T::kSigned && std::int64_t(raw(x)) < 0;
+}
+
+template <class T>
+constexpr T trimmed(const T& x) {
+  return from_raw<T>(raw(x));
 }
 
 template <class T, class X>

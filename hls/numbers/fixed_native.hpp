@@ -122,6 +122,10 @@ HS_FIXED_TEMPLATE constexpr Fixed<W1 + W2, I1 + I2, S1 || S2> operator*(HS_FIXED
     static_assert(S1 == S2, "compare signed with signed, unsigned with unsigned"); \
     using T = HS_FIXED_SUM(S1 || S2);                                              \
     return align<T>(a) op align<T>(b);                                             \
+  }                                                                                \
+  template <int W, int I, bool S>                                                  \
+  constexpr bool operator op(const Fixed<W, I, S>& a, const Fixed<W, I, S>& b) {   \
+    return a.bits op b.bits;                                                       \
   }
 HS_FIXED_COMPARE(<)
 HS_FIXED_COMPARE(<=)

@@ -9,6 +9,7 @@
 #include "hls/formats/buffers.hpp"
 #include "hls/formats/lanes.hpp"
 #include "hls/formats/object_records.hpp"
+#include "hls/numbers/arithmetic.hpp"
 
 namespace halfspace {
 
@@ -16,7 +17,7 @@ namespace halfspace {
 template <class F>
 bool store_object(Stream<Triangle<F>>& triangle, ObjectTable<F>& table) {
   const Triangle<F> in = triangle.read();
-  if (raw(in.index) != 0) table.object[int(raw(in.index)) - 1] = in.object;
+  if (!is_zero(in.index)) table.object[int(raw(in.index)) - 1] = in.object;
   return is_set(in.last);
 }
 
@@ -25,7 +26,7 @@ template <class F>
 bool scan_object(Stream<Scan<F>>& scan, DepthBuffer<F>& depth_buffer, const ObjectTable<F>& table,
                  Stream<ObjectPixel<F>>& object_pixel) {
   const Scan<F> in = scan.read();
-  typename F::Depth* const stored = depth_buffer.depth[int(raw(in.y)) * F::kStampsX + int(raw(in.x))];
+  const int address = stamp_address<F>(in.x, in.y);
   const typename F::Depth farthest = farthest_depth<F>();
   ObjectPixel<F> out;
   out.last = in.last;
@@ -35,8 +36,9 @@ bool scan_object(Stream<Scan<F>>& scan, DepthBuffer<F>& depth_buffer, const Obje
 Depths:
   for (int l = 0; l < F::kLanes; ++l) {
     HS_UNROLL
-    waits[l] = from_raw<Bit>(raw(in.index[l]) != 0);
-    out.depth[l] = from_raw<typename F::Depth>(raw(waits[l]) ? raw(stored[l]) : raw(farthest));
+    const bool shows_one = !is_zero(in.index[l]);
+    waits[l] = from_raw<Bit>(shows_one);
+    out.depth[l] = select(shows_one, trimmed(depth_buffer.depth[address][l]), farthest);
     out.object[l] = from_raw<typename F::Object>(0);
   }
 Triangles:
@@ -49,7 +51,7 @@ Triangles:
   Lanes:
     for (int l = 0; l < F::kLanes; ++l) {
       HS_UNROLL
-      out.object[l] = from_raw<typename F::Object>(raw(shows[l]) ? raw(object) : raw(out.object[l]));
+      out.object[l] = select(is_set(shows[l]), object, out.object[l]);
     }
   }
   object_pixel.write(out);

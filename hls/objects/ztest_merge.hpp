@@ -25,65 +25,75 @@
 #define HALFSPACE_HLS_OBJECTS_ZTEST_MERGE_HPP_
 
 #include "hls/formats/object_records.hpp"
-#include "hls/numbers/stream.hpp"
+#include "hls/numbers/arithmetic.hpp"
 
 namespace halfspace {
+
+// What a stamp becomes, and how many of its pixels are looked for.
+template <class F>
+struct MergedStamp {
+  Entry<F> entry;
+  bool any_hit;
+  typename F::ObjectCount hits;
+};
+// Of the stored one and the drawn one.
+template <class F>
+MergedStamp<F> merge_stamp(const Merge<F>& run, const Entry<F>& in, const Entry<F>& drawn) {
+  using Object = typename F::Object;
+  MergedStamp<F> merged;
+  Entry<F>& out = merged.entry;
+  out.last = in.last;
+  out.x = in.x;
+  out.y = in.y;
+  int hits = 0;
+Lanes:
+  for (int l = 0; l < F::kLanes; ++l) {
+    HS_UNROLL
+    const Object object = in.object[l];
+    const bool nothing = is_zero(object);
+    const bool hit = !nothing && object >= run.first && object <= run.last;
+    const typename F::Depth depth = select(hit, farthest_depth<F>(), in.depth[l]);
+    const bool less = drawn.depth[l] < depth || (drawn.depth[l] == depth && drawn.object[l] < object);
+    const bool nearer = is_set(run.merges) && (hit || nothing || less);
+    hits += hit ? 1 : 0;
+    out.depth[l] = select(nearer, drawn.depth[l], depth);
+    out.object[l] = select(nearer, drawn.object[l], select(hit, from_raw<Object>(0), object));
+    out.r[l] = select(nearer, drawn.r[l], select(hit, run.r, in.r[l]));
+    out.g[l] = select(nearer, drawn.g[l], select(hit, run.g, in.g[l]));
+    out.b[l] = select(nearer, drawn.b[l], select(hit, run.b, in.b[l]));
+  }
+  merged.any_hit = hits != 0;
+  merged.hits = from_raw<typename F::ObjectCount>(hits);
+  return merged;
+}
 
 template <class F>
 void ztest_merge(Stream<Merge<F>>& merge, Stream<Entry<F>>& stored, Stream<Entry<F>>& entry, Stream<Entry<F>>& merged,
                  Stream<Found<F>>& found) {
-  using Depth = typename F::Depth;
-  using Object = typename F::Object;
-  using Colour = typename F::Colour;
   const Merge<F> run = merge.read();
-  const typename Depth::Carrier farthest = raw(farthest_depth<F>());
-  int count = 0, x_first = 0, x_last = 0, y_first = 0, y_last = 0;
-  bool done = false;
+  Found<F> all;
+  all.count = from_raw<typename F::ObjectCount>(0);
+  all.x_first = all.x_last = from_raw<typename F::X>(0);
+  all.y_first = all.y_last = from_raw<typename F::Y>(0);
+  bool any_hit = false, done = false;
 Stamps:
   for (int n = 0; n < F::kStamps && !done; ++n) {
     HS_PIPELINE(1)
     const Entry<F> in = stored.read();
     Entry<F> drawn = in;
-    if (raw(run.merges)) drawn = entry.read();
-    Entry<F> out;
-    out.last = in.last;
-    out.x = in.x;
-    out.y = in.y;
-    int hits = 0;
-  Lanes:
-    for (int l = 0; l < F::kLanes; ++l) {
-      HS_UNROLL
-      const auto object = raw(in.object[l]);
-      const bool hit = object != 0 && object >= raw(run.first) && object <= raw(run.last);
-      const bool empty = hit || object == 0;
-      const auto depth = hit ? farthest : raw(in.depth[l]);
-      const bool less = raw(drawn.depth[l]) < depth || (raw(drawn.depth[l]) == depth && raw(drawn.object[l]) < object);
-      const bool nearer = raw(run.merges) && (empty || less);
-      hits += hit ? 1 : 0;
-      out.depth[l] = from_raw<Depth>(nearer ? raw(drawn.depth[l]) : depth);
-      out.object[l] = from_raw<Object>(nearer ? raw(drawn.object[l]) : hit ? typename Object::Carrier(0) : object);
-      out.r[l] = from_raw<Colour>(nearer ? raw(drawn.r[l]) : hit ? raw(run.r) : raw(in.r[l]));
-      out.g[l] = from_raw<Colour>(nearer ? raw(drawn.g[l]) : hit ? raw(run.g) : raw(in.g[l]));
-      out.b[l] = from_raw<Colour>(nearer ? raw(drawn.b[l]) : hit ? raw(run.b) : raw(in.b[l]));
-    }
-    if (raw(run.sends)) merged.write(out);
-    if (hits != 0) {
-      const int x = int(raw(in.x)), y = int(raw(in.y));
-      x_first = count == 0 || x < x_first ? x : x_first;
-      x_last = count == 0 || x > x_last ? x : x_last;
-      y_first = count == 0 || y < y_first ? y : y_first;
-      y_last = count == 0 || y > y_last ? y : y_last;
-      count += hits;
-    }
+    if (is_set(run.merges)) drawn = entry.read();
+    const MergedStamp<F> stamp = merge_stamp(run, in, drawn);
+    if (is_set(run.sends)) merged.write(stamp.entry);
+    const bool hit = stamp.any_hit, first = !any_hit;
+    all.x_first = select(hit && (first || in.x < all.x_first), in.x, all.x_first);
+    all.x_last = select(hit && (first || in.x > all.x_last), in.x, all.x_last);
+    all.y_first = select(hit && (first || in.y < all.y_first), in.y, all.y_first);
+    all.y_last = select(hit && (first || in.y > all.y_last), in.y, all.y_last);
+    all.count = all.count + stamp.hits;
+    any_hit = any_hit || hit;
     done = is_set(in.last);
   }
-  Found<F> out;
-  out.count = from_raw<typename F::ObjectCount>(count);
-  out.x_first = from_raw<typename F::X>(x_first);
-  out.x_last = from_raw<typename F::X>(x_last);
-  out.y_first = from_raw<typename F::Y>(y_first);
-  out.y_last = from_raw<typename F::Y>(y_last);
-  found.write(out);
+  found.write(all);
 }
 
 }  // namespace halfspace

@@ -35,7 +35,7 @@ HS_INLINE inline Scan<F> take_stamp(const StampPlace<F>& at, bool is_last, Index
 Lanes:
   for (int l = 0; l < F::kLanes; ++l) {
     HS_UNROLL
-    out.index[l] = index_buffer.index[address][l];
+    out.index[l] = trimmed(index_buffer.index[address][l]);
     index_buffer.index[address][l] = from_raw<typename F::Index>(0);
   }
   return out;

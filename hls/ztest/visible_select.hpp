@@ -18,9 +18,9 @@ bool visible_select(Stream<Attributes<F>>& attributes, Stream<Visible<F>>& teste
                     Stream<Attributes<F>>& passed) {
   Attributes<F> out = attributes.read();
   const Visible<F> result = tested.read();
-  out.empty = from_raw<Bit>(raw(result.visible) == 0);
+  out.empty = from_raw<Bit>(!is_set(result.visible));
   visible.write(result);
-  if (raw(result.visible) || raw(result.last)) passed.write(out);
+  if (is_set(result.visible) || is_set(result.last)) passed.write(out);
   return is_set(result.last);
 }
 

@@ -28,8 +28,8 @@ HS_INLINE inline StoredStamp<F> read_stamp(const IndexBuffer<F>& index_buffer, c
 Lanes:
   for (int l = 0; l < F::kLanes; ++l) {
     HS_UNROLL
-    stored.index[l] = index_buffer.index[address][l];
-    stored.depth[l] = depth_buffer.depth[F::kHasDepth ? address : 0][l];
+    stored.index[l] = trimmed(index_buffer.index[address][l]);
+    stored.depth[l] = trimmed(depth_buffer.depth[F::kHasDepth ? address : 0][l]);
   }
   return stored;
 }
@@ -58,8 +58,8 @@ Lanes:
     HS_UNROLL
     const bool first = is_zero(stored.index[l]);
     bool nearer = first;
-    if (F::kHasDepth) nearer = raw(in.depth[l]) < raw(select(first, farthest, stored.depth[l]));
-    const unsigned pass = unsigned(raw(in.mask[l])) & unsigned(nearer);
+    if (F::kHasDepth) nearer = in.depth[l] < select(first, farthest, stored.depth[l]);
+    const unsigned pass = unsigned(is_set(in.mask[l])) & unsigned(nearer);
     any |= pass;
     update.mask[l] = from_raw<Bit>(pass);
     update.depth[l] = in.depth[l];
@@ -69,38 +69,41 @@ Lanes:
   return any != 0;
 }
 
-// A stamp that has been tested and waits to be written.
+// A stamp that has been tested and is not written yet.
 template <class F>
-struct WaitingStamp {
-  bool is_there;
+struct LateStamp {
   int address;
   StoredStamp<F> stored;
 };
 
 // The stamps of a triangle are different ones, and each is written when it has been tested. Those of a frame are
 // written two stamps later, and until then forwarded to the tests of the same stamp: so a pipeline that reads a stamp
-// while the two before it are tested has an iteration a cycle.
+// while the two before it are tested has an iteration a cycle, with one read and one write in each. What is late at
+// first is the first stamp of the buffers, as it is.
 template <Until kUntil, class F>
 bool ztest_index_stamps(Stream<Stamp<F>>& stamp, IndexBuffer<F>& index_buffer, DepthBuffer<F>& depth_buffer,
                         Probe<Update<F>>& update, Stream<Visible<F>>& visible) {
-  WaitingStamp<F> near{}, far{};
-  bool any_of_triangle = false, last = false, done = false;
+  constexpr bool kLate = kUntil == Until::kFrameEnds;
+  LateStamp<F> near{}, far{};  // the stamp before, and the one before that
+  if (kLate) near.stored = far.stored = read_stamp(index_buffer, depth_buffer, 0);
+  bool any_of_triangle = false, last = false;
 Stamps:
-  while (!done) {
+  for (;;) {
     HS_PIPELINE(1)
     const Stamp<F> in = stamp.read();
     const int address = stamp_address<F>(in.x, in.y);
     StoredStamp<F> stored = read_stamp(index_buffer, depth_buffer, address);
-    if (kUntil == Until::kFrameEnds) {
-      if (far.is_there && far.address == address) stored = far.stored;
-      if (near.is_there && near.address == address) stored = near.stored;
-      if (far.is_there) write_stamp(far.stored, far.address, index_buffer, depth_buffer);
+    if (kLate) {
+      write_stamp(far.stored, far.address, index_buffer, depth_buffer);
+      if (far.address == address) stored = far.stored;
+      if (near.address == address) stored = near.stored;
       far = near;
     }
     Update<F> out;
     const bool any = test_stamp(in, stored, out);
-    if (kUntil == Until::kFrameEnds) {
-      near = {any, address, stored};
+    if (kLate) {
+      near.address = address;
+      near.stored = stored;
     } else {
       write_stamp(stored, address, index_buffer, depth_buffer);
     }
@@ -114,12 +117,12 @@ Stamps:
       visible.write(result);
       any_of_triangle = false;
       last = is_set(in.last);
-      done = kUntil == Until::kTriangleEnds || last;
+      if (kUntil == Until::kTriangleEnds || last) break;
     }
   }
-  if (kUntil == Until::kFrameEnds) {
-    if (far.is_there) write_stamp(far.stored, far.address, index_buffer, depth_buffer);
-    if (near.is_there) write_stamp(near.stored, near.address, index_buffer, depth_buffer);
+  if (kLate) {
+    write_stamp(far.stored, far.address, index_buffer, depth_buffer);
+    write_stamp(near.stored, near.address, index_buffer, depth_buffer);
   }
   return last;
 }

@@ -22,6 +22,7 @@
 
 #include "hls/formats/buffers.hpp"
 #include "hls/formats/lanes.hpp"
+#include "hls/numbers/arithmetic.hpp"
 
 namespace halfspace {
 
@@ -29,9 +30,8 @@ namespace halfspace {
 template <class F>
 DepthEntry<F> depth_entry(const TriangleDepth<F>& in) {
   using Plane = typename F::DepthPlane;
-  const int x = int(raw(in.x)) << F::kLog2LanesX, y = int(raw(in.y)) << F::kLog2LanesY;
-  const Plane along_x = in.depth_dx * from_raw<typename F::X>(x);
-  const Plane along_y = in.depth_dy * from_raw<typename F::Y>(y);
+  const Plane along_x = in.depth_dx * shift_left(in.x, F::kLog2LanesX);
+  const Plane along_y = in.depth_dy * shift_left(in.y, F::kLog2LanesY);
   const Plane origin_x = in.depth - along_x;
   DepthEntry<F> entry;
   entry.origin = origin_x - along_y;
@@ -40,44 +40,56 @@ DepthEntry<F> depth_entry(const TriangleDepth<F>& in) {
   return entry;
 }
 
-// The stamps of one triangle. `tests` hears what they cost.
+// The depths stored of a stamp. Returns what they cost: the triangles that they are of.
 template <class F>
-bool ztest_plane(Stream<Stamp<F>>& stamp, Stream<TriangleDepth<F>>& depth_plane, IndexBuffer<F>& index_buffer,
-                 VisibilityDatabase<F>& database, Probe<Update<F>>& update, Stream<Visible<F>>& visible,
-                 Probe<PlaneTests>& tests) {
-  using Depth = typename F::Depth;
-  using Index = typename F::Index;
-  const DepthEntry<F> entry = depth_entry(depth_plane.read());
-  const Depth farthest = farthest_depth<F>();
-  PlaneTests cost{1, 0};
-  bool any_of_triangle = false;
-  bool done = false, last = false;
-Stamps:
-  for (int n = 0; n < F::kStamps && !done; ++n) {
-    const Stamp<F> in = stamp.read();
-    const int x = int(raw(in.x)), y = int(raw(in.y));
-    Index* const stored = index_buffer.index[y * F::kStampsX + x];
+int stored_depths(const Stamp<F>& in, const typename F::Index (&index)[F::kLanes],
+                  const VisibilityDatabase<F>& database, typename F::Depth (&depth)[F::kLanes]) {
+  const int x = int(raw(in.x)) << F::kLog2LanesX, y = int(raw(in.y)) << F::kLog2LanesY;
+  Bit waits[F::kLanes], group[F::kLanes];
+Background:
+  for (int l = 0; l < F::kLanes; ++l) {
+    HS_UNROLL
+    depth[l] = farthest_depth<F>();
+    waits[l] = from_raw<Bit>(is_set(in.mask[l]) && !is_zero(index[l]));
+  }
+  int groups = 0;
+Triangles:
+  for (; groups < F::kLanes; ++groups) {
+    HS_PIPELINE(1)
+    const int triangle = next_group<F>(index, waits, group);
+    if (triangle == 0) break;
+    const DepthEntry<F> plane = database.entry[triangle - 1];
+    plane_lanes<F>(plane.origin, plane.dx, plane.dy, x, y, group, depth);
+  }
+  return groups;
+}
 
+// `tests` hears what the stamps of a triangle cost.
+template <Until kUntil, class F>
+bool ztest_plane_stamps(Stream<Stamp<F>>& stamp, Stream<TriangleDepth<F>>& depth_plane, IndexBuffer<F>& index_buffer,
+                        VisibilityDatabase<F>& database, Probe<Update<F>>& update, Stream<Visible<F>>& visible,
+                        Probe<PlaneTests>& tests) {
+  using Index = typename F::Index;
+  DepthEntry<F> entry{};
+  PlaneTests cost{};
+  bool is_first = true, any_of_triangle = false, last = false;
+Stamps:
+  for (;;) {
+    if (is_first) {
+      entry = depth_entry(depth_plane.read());
+      cost = {1, 0};
+      any_of_triangle = false;
+    }
+    const Stamp<F> in = stamp.read();
+    const int address = stamp_address<F>(in.x, in.y);
     Index index[F::kLanes];
-    Depth depth[F::kLanes];
-    Bit waits[F::kLanes], group[F::kLanes];
-  Background:
+    typename F::Depth depth[F::kLanes];
+  Indices:
     for (int l = 0; l < F::kLanes; ++l) {
       HS_UNROLL
-      index[l] = stored[l];
-      depth[l] = farthest;
-      waits[l] = from_raw<Bit>(raw(in.mask[l]) & typename Bit::Carrier(raw(index[l]) != 0));
+      index[l] = trimmed(index_buffer.index[address][l]);
     }
-    int groups = 0;
-  Triangles:
-    for (int m = 0; m < F::kLanes; ++m) {
-      HS_PIPELINE(1)
-      const int triangle = next_group<F>(index, waits, group);
-      if (triangle == 0) break;
-      const DepthEntry<F> plane = database.entry[triangle - 1];
-      plane_lanes<F>(plane.origin, plane.dx, plane.dy, x << F::kLog2LanesX, y << F::kLog2LanesY, group, depth);
-      ++groups;
-    }
+    const int groups = stored_depths(in, index, database, depth);
     cost.cycles += groups == 0 ? 1 : groups;
     cost.entries += groups;
 
@@ -85,30 +97,44 @@ Stamps:
     out.index = in.index;
     out.x = in.x;
     out.y = in.y;
-    typename Bit::Carrier any = 0;
+    unsigned any = 0;
   Lanes:
     for (int l = 0; l < F::kLanes; ++l) {
       HS_UNROLL
-      const typename Bit::Carrier pass = raw(in.mask[l]) & typename Bit::Carrier(raw(in.depth[l]) < raw(depth[l]));
+      const unsigned pass = unsigned(is_set(in.mask[l])) & unsigned(in.depth[l] < depth[l]);
       any |= pass;
       out.mask[l] = from_raw<Bit>(pass);
-      stored[l] = from_raw<Index>(pass ? raw(in.index) : raw(index[l]));
+      index_buffer.index[address][l] = select(pass != 0, in.index, index[l]);
     }
     if (any) update.write(out);
     if (any && !any_of_triangle) database.entry[int(raw(in.index)) - 1] = entry;
     any_of_triangle = any_of_triangle || any;
-    done = is_set(in.triangle_last);
-    if (done) {
+    is_first = is_set(in.triangle_last);
+    if (is_first) {
       Visible<F> result;
       result.last = in.last;
       result.visible = from_raw<Bit>(any_of_triangle);
       result.index = in.index;
       visible.write(result);
+      tests.write(cost);
       last = is_set(in.last);
+      if (kUntil == Until::kTriangleEnds || last) break;
     }
   }
-  tests.write(cost);
   return last;
+}
+
+template <class F>
+bool ztest_plane(Stream<Stamp<F>>& stamp, Stream<TriangleDepth<F>>& depth_plane, IndexBuffer<F>& index_buffer,
+                 VisibilityDatabase<F>& database, Probe<Update<F>>& update, Stream<Visible<F>>& visible,
+                 Probe<PlaneTests>& tests) {
+  return ztest_plane_stamps<Until::kTriangleEnds>(stamp, depth_plane, index_buffer, database, update, visible, tests);
+}
+template <class F>
+void ztest_plane_frame(Stream<Stamp<F>>& stamp, Stream<TriangleDepth<F>>& depth_plane, IndexBuffer<F>& index_buffer,
+                       VisibilityDatabase<F>& database, Probe<Update<F>>& update, Stream<Visible<F>>& visible,
+                       Probe<PlaneTests>& tests) {
+  ztest_plane_stamps<Until::kFrameEnds>(stamp, depth_plane, index_buffer, database, update, visible, tests);
 }
 
 }  // namespace halfspace

@@ -18,8 +18,7 @@ USES = {
     "motion/key_cache.hpp": 4,
     "motion/key_place.hpp": 3,
     "motion/motion_field.hpp": 6,
-    "objects/scan_object.hpp": 11,
-    "objects/ztest_merge.hpp": 24,
+    "objects/scan_object.hpp": 1,
     "raster/raster_pineda.hpp": 5,
     "setup/plane.hpp": 2,
     "setup/shade_setup.hpp": 2,
@@ -32,9 +31,7 @@ USES = {
     "texture/reciprocal_lookup.hpp": 1,
     "texture/shade_texture.hpp": 8,
     "texture/texel_fetch.hpp": 6,
-    "ztest/visible_select.hpp": 3,
-    "ztest/ztest_index.hpp": 3,
-    "ztest/ztest_plane.hpp": 12,
+    "ztest/ztest_plane.hpp": 3,
 }
 
 

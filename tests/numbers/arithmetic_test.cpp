@@ -147,13 +147,14 @@ template <class T>
 void expect_multiples() {
   for (const std::uint64_t bits : bits_of<T>()) {
     const T x = from_raw<T>(bits);
+    ASSERT_EQ(raw(trimmed(x)), raw(x));
     for (int n = 0; n < 8; ++n) {
       const Wider<T, 3> got = multiple(x, n);
       ASSERT_EQ(Wide(raw(got)), Wide(raw(x)) * n) << bits << " * " << n;
     }
   }
 }
-TEST(Arithmetic, MultipliesByASmallNumberExactly) {
+TEST(Arithmetic, MultipliesByASmallNumberAndTrimsExactly) {
   expect_multiples<ufix<1, 1>>();
   expect_multiples<fix<20, 16>>();
   expect_multiples<ufix<29, 16>>();

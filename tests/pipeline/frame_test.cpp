@@ -40,12 +40,16 @@ std::vector<std::int64_t> drain(Stream<T>& stream) {
 
 template <class F>
 struct Unit {
-  Unit() : index(std::make_unique<IndexBuffer<F>>()), depth(std::make_unique<DepthBuffer<F>>()) {
+  Unit()
+      : index(std::make_unique<IndexBuffer<F>>()),
+        depth(std::make_unique<DepthBuffer<F>>()),
+        planes(std::make_unique<VisibilityDatabase<F>>()) {
     update.tap(&updates);
     visits.tap(&visit_counts);
   }
   std::unique_ptr<IndexBuffer<F>> index;
   std::unique_ptr<DepthBuffer<F>> depth;
+  std::unique_ptr<VisibilityDatabase<F>> planes;
   Stream<Triangle<F>> triangle;
   Stream<Setup<F>> setup;
   Stream<Attributes<F>> attributes;
@@ -55,6 +59,7 @@ struct Unit {
   Stream<Scan<F>> scan;
   Probe<Update<F>> update;
   Probe<int> visits;
+  Probe<PlaneTests> tests;
   std::vector<Update<F>> updates;
   std::vector<int> visit_counts;
 };
@@ -89,6 +94,32 @@ void write_triangles(std::mt19937& random, Stream<Triangle<F>>& triangle) {
   }
 }
 
+// The Z-test of a triangle, and that of a frame.
+template <class F>
+bool test_triangle(std::false_type, Unit<F>& u) {
+  return ztest_index(u.stamp, *u.index, *u.depth, u.update, u.visible);
+}
+template <class F>
+bool test_triangle(std::true_type, Unit<F>& u) {
+  return ztest_plane(u.stamp, u.triangle_depth, *u.index, *u.planes, u.update, u.visible, u.tests);
+}
+template <class F>
+void test_frame(std::false_type, Unit<F>& u) {
+  ztest_index_frame(u.stamp, *u.index, *u.depth, u.update, u.visible);
+}
+template <class F>
+void test_frame(std::true_type, Unit<F>& u) {
+  ztest_plane_frame(u.stamp, u.triangle_depth, *u.index, *u.planes, u.update, u.visible, u.tests);
+}
+
+struct GammaLow {
+  static constexpr Config config() {
+    Config config = Low::config();
+    config.architecture = Architecture::kGamma;
+    return config;
+  }
+};
+
 template <class F>
 void expect_equal() {
   const Frame<F> frame = frame_of<F>(kWidth, kHeight);
@@ -102,11 +133,11 @@ void expect_equal() {
     for (bool last = false; !last;) {
       triangle_setup(frame, one.triangle, one.setup, one.attributes);
       last = raster_pineda(frame, one.setup, one.stamp, one.triangle_depth, one.visits);
-      EXPECT_EQ(ztest_index(one.stamp, *one.index, *one.depth, one.update, one.visible), last);
+      EXPECT_EQ(test_triangle(typename F::CompilesPlaneTest(), one), last);
     }
     for (int n = 0; n < kTriangles; ++n) triangle_setup(frame, whole.triangle, whole.setup, whole.attributes);
     raster_pineda_frame(frame, whole.setup, whole.stamp, whole.triangle_depth, whole.visits);
-    ztest_index_frame(whole.stamp, *whole.index, *whole.depth, whole.update, whole.visible);
+    test_frame(typename F::CompilesPlaneTest(), whole);
     EXPECT_TRUE(whole.setup.empty() && whole.stamp.empty());
     EXPECT_EQ(whole.visit_counts, one.visit_counts);
     EXPECT_EQ(fields_of(whole.updates), fields_of(one.updates));
@@ -122,6 +153,11 @@ void expect_equal() {
 
 TEST(Frame, IsItsTrianglesWithOneLane) { expect_equal<Formats<Low, Stamp1>>(); }
 TEST(Frame, IsItsTrianglesWithFourLanes) { expect_equal<Formats<Middle, Stamp4>>(); }
+
+TEST(Frame, IsItsTrianglesWithPlanesInTheDatabase) {
+  expect_equal<Formats<GammaLow, Stamp1>>();
+  expect_equal<Formats<GammaLow, Stamp4>>();
+}
 
 }  // namespace
 }  // namespace halfspace::tests
