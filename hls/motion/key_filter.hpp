@@ -9,14 +9,6 @@
 
 namespace halfspace {
 
-// N × N pixels, [row][column]: of 4 × 4 the inner four are about the place, of 2 × 2 all; nearest takes (0, 0) alone.
-// Those that lie outside the frame or are of another face do not match, and their colour means nothing.
-template <class F, int N>
-struct KeyTaps {
-  KeyPixel<F> pixel[N][N];
-  bool match[N][N];
-};
-
 // What one key makes of a pixel in between.
 template <class F>
 struct KeyColour {
@@ -72,27 +64,30 @@ Rows:
   return weighted<F, typename F::KeySum>(rows, row);
 }
 
-// tx, ty: the fractions of the place, g bits. Of its arguments alone: a tool may pipeline it as it is.
+// Of N × N pixels, [row][column]: of 4 × 4 the inner four are about the place, of 2 × 2 all; nearest takes (0, 0)
+// alone. Those that lie outside the frame or are of another face do not match, and their colour means nothing. tx, ty:
+// the fractions of the place, g bits. Of its arguments alone: a tool may pipeline it as it is.
 template <class F, int N>
-KeyColour<F> filtered_key(const KeyWeights<F>& weights, const KeyTaps<F, N>& taps, int tx, int ty) {
+KeyColour<F> filtered_key(const KeyWeights<F>& weights, const KeyPixel<F> (&pixel)[N][N], const bool (&match)[N][N],
+                          int tx, int ty) {
   constexpr int k0 = N == 4 ? 1 : 0, k1 = k0 + 1;  // columns and rows of the inner four
   KeyColour<F> out;
   if (F::kFilter == KeyFilter::kNearest) {
-    out.shown = taps.match[0][0];
-    out.r = taps.pixel[0][0].r;
-    out.g = taps.pixel[0][0].g;
-    out.b = taps.pixel[0][0].b;
+    out.shown = match[0][0];
+    out.r = pixel[0][0].r;
+    out.g = pixel[0][0].g;
+    out.b = pixel[0][0].b;
     return out;
   }
-  const bool inner[4] = {taps.match[k0][k0], taps.match[k0][k1], taps.match[k1][k0], taps.match[k1][k1]};
+  const bool inner[4] = {match[k0][k0], match[k0][k1], match[k1][k0], match[k1][k1]};
   const int standing = standing_tap(inner, tx, ty, F::KeyPlace::fraction());
   const bool right = (standing & 1) != 0, below = (standing & 2) != 0;
   const AxisWeights inner_x = inner_weights<F>(weights, tx), inner_y = inner_weights<F>(weights, ty);
   // A pixel without weight shows nothing of the place: it lies on the centre of another, or next to it.
   out.shown = (inner[0] || inner[1] || inner[2] || inner[3]) && (right ? inner_x.tap[2] : inner_x.tap[1]) != 0 &&
               (below ? inner_y.tap[2] : inner_y.tap[1]) != 0;
-  const KeyPixel<F> above_stands = right ? taps.pixel[k0][k1] : taps.pixel[k0][k0];
-  const KeyPixel<F> below_stands = right ? taps.pixel[k1][k1] : taps.pixel[k1][k0];
+  const KeyPixel<F> above_stands = right ? pixel[k0][k1] : pixel[k0][k0];
+  const KeyPixel<F> below_stands = right ? pixel[k1][k1] : pixel[k1][k0];
   const KeyPixel<F> stands = below ? below_stands : above_stands;
   typename F::Colour r[N][N], g[N][N], b[N][N];
   bool all = N == 4;
@@ -103,11 +98,11 @@ Rows:
     for (int i = 0; i < N; ++i) {
       HS_UNROLL
       const bool is_inner = i >= k0 && i <= k1 && j >= k0 && j <= k1;
-      const KeyPixel<F>& pixel = is_inner && !taps.match[j][i] ? stands : taps.pixel[j][i];
-      r[j][i] = pixel.r;
-      g[j][i] = pixel.g;
-      b[j][i] = pixel.b;
-      all = all && taps.match[j][i];
+      const KeyPixel<F>& at = is_inner && !match[j][i] ? stands : pixel[j][i];
+      r[j][i] = at.r;
+      g[j][i] = at.g;
+      b[j][i] = at.b;
+      all = all && match[j][i];
     }
   }
   const AxisWeights columns = N == 4 && all ? weights.outer[tx] : inner_x;

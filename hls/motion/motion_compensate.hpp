@@ -28,18 +28,17 @@ KeyColour<F> key_colour(const KeyWeights<F>& weights, const Motion<F>& in, const
                         const KeyAxis<typename F::TileX, N>& columns, const KeyAxis<typename F::TileY, N>& rows,
                         const KeyPixel<F> (&pixel)[N][N]) {
   const bool there = is_set(in.face) && is_set(v.there);
-  KeyTaps<F, N> taps;
+  bool match[N][N];
 Rows:
   for (int j = 0; j < N; ++j) {
     HS_UNROLL
   Columns:
     for (int i = 0; i < N; ++i) {
       HS_UNROLL
-      taps.pixel[j][i] = pixel[j][i];
-      taps.match[j][i] = there && columns.inside[i] && rows.inside[j] && pixel[j][i].face == in.face;
+      match[j][i] = there && columns.inside[i] && rows.inside[j] && pixel[j][i].face == in.face;
     }
   }
-  KeyColour<F> out = filtered_key<F, N>(weights, taps, columns.fraction, rows.fraction);
+  KeyColour<F> out = filtered_key<F, N>(weights, pixel, match, columns.fraction, rows.fraction);
   if (F::kRelights) {
     using KeySum = typename F::KeySum;
     const KeySum zero = from_raw<KeySum>(1 << (F::kColourBits + 2 * F::kWeightBits));
