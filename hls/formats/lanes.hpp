@@ -5,7 +5,7 @@
 #define HALFSPACE_HLS_FORMATS_LANES_HPP_
 
 #include "hls/formats/records.hpp"
-#include "hls/numbers/stream.hpp"
+#include "hls/numbers/arithmetic.hpp"
 
 namespace halfspace {
 
@@ -17,18 +17,30 @@ int next_group(const typename F::Index (&index)[F::kLanes], Bit (&waits)[F::kLan
 Pick:
   for (int l = 0; l < F::kLanes; ++l) {
     HS_UNROLL
-    const int lane = raw(waits[l]) ? l : F::kLanes;
+    const int lane = is_set(waits[l]) ? l : F::kLanes;
     first = lane < first ? lane : first;
   }
   if (first == F::kLanes) return 0;
-  const int triangle = int(raw(index[first]));
+  const typename F::Index triangle = index[first];
 Match:
   for (int l = 0; l < F::kLanes; ++l) {
     HS_UNROLL
-    group[l] = from_raw<Bit>(raw(waits[l]) & typename Bit::Carrier(int(raw(index[l])) == triangle));
-    waits[l] = from_raw<Bit>(raw(waits[l]) & ~raw(group[l]));
+    const bool matches = index[l] == triangle;
+    group[l] = from_raw<Bit>(is_set(waits[l]) & matches);
+    waits[l] = from_raw<Bit>(is_set(waits[l]) & !matches);
   }
-  return triangle;
+  return int(raw(triangle));
+}
+
+template <class F>
+bool any_waits(const Bit (&waits)[F::kLanes]) {
+  bool any = false;
+Any:
+  for (int l = 0; l < F::kLanes; ++l) {
+    HS_UNROLL
+    any |= is_set(waits[l]);
+  }
+  return any;
 }
 
 // The value of a plane at pixel (x, y), modulo its width.
@@ -45,14 +57,11 @@ template <class F, class Plane, class Gradient, class Value>
 void plane_lanes(const Plane& origin, const Gradient& dx, const Gradient& dy, int x, int y,
                  const Bit (&group)[F::kLanes], Value (&value)[F::kLanes]) {
   const Plane start = plane_at<F>(origin, dx, dy, x, y);
-  // Unsigned: the planes wrap, and so may these.
-  using Word = typename Plane::Carrier;
 Lanes:
   for (int l = 0; l < F::kLanes; ++l) {
     HS_UNROLL
-    const Word step = Word(raw(dx)) * Word(l % F::kLanesX) + Word(raw(dy)) * Word(l / F::kLanesX);
-    const Value rounded = from_raw<Plane>(raw(start) + step);
-    value[l] = from_raw<Value>(raw(group[l]) ? raw(rounded) : raw(value[l]));
+    const Value rounded = stepped(start, dx, l & (F::kLanesX - 1), dy, l >> F::kLog2LanesX);
+    value[l] = select(is_set(group[l]), rounded, value[l]);
   }
 }
 

@@ -14,6 +14,9 @@
 //   merged(a, b)               the bits of a or b, where one of them is 0; of one type
 //   normalize(x)               x·2^zeros with its top bit set, and zeros; x has no sign; of 0, some zeros
 //   multiple(x, n)             n·x, exact, of a type with three bits more before the point; n is 0 … 7
+//   round_to<T>(x)             x, half up to the last place of T and wrapped; x has places behind it, and one bit less
+//                              than a number may have
+//   stepped(x, a, m, b, n)     x + a·m + b·n of x's type, wrapped; a and b have its last place
 //   product_modulo<T>(a, b)    a·b, its last place that of T, wrapped; of a product that may be longer than 64 bits
 //   rounded_product<T>(a, b, n)   floor(a·b·2^−n + ½) of the bits, wrapped to those of T; n is 0 … 63, b has no sign
 //                              and 40 bits at most, and the product may be longer than 64 bits
@@ -79,6 +82,16 @@ constexpr typename T::Unsigned magnitude(const T& x) {
   return select(is_negative(x), U(-x), U(x));
 }
 
+template <class T, class X>
+constexpr T round_to(const X& x) {
+  return x + from_raw<X>(std::uint64_t(1) << (x.fraction() - T::fraction() - 1));
+}
+
+template <class T, class A, class B>
+constexpr T stepped(const T& x, const A& a, int m, const B& b, int n) {
+  using U = typename T::Unsigned::Carrier;
+  return from_raw<T>(U(U(raw(x)) + U(raw(a)) * U(m) + U(raw(b)) * U(n)));
+}
 template <class T, class A, class B>
 constexpr T product_modulo(const A& a, const B& b) {
   return T::from_product(a, b);

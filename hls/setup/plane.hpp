@@ -17,17 +17,10 @@
 
 #include "hls/formats/records.hpp"
 #include "hls/numbers/arithmetic.hpp"
+#include "hls/numbers/turns.hpp"
 #include "hls/setup/reciprocal.hpp"
 
 namespace halfspace {
-
-// The next of three results that come in turn: the others move up.
-template <class T>
-void take_turn(T (&result)[3], const T& next) {
-  result[0] = result[1];
-  result[1] = result[2];
-  result[2] = next;
-}
 
 // The shape of a triangle, as its planes need it.
 template <class F>
@@ -144,9 +137,9 @@ Channels:
     const Plane<Channel> plane = plane_setup<F, Channel>(base, a0, a1, a2);
     a0 = b0, a1 = b1, a2 = b2;
     b0 = c0, b1 = c1, b2 = c2;
-    take_turn(planes.of, plane);
+    move_up(planes.of, plane);
   }
-  if (count == 2) take_turn(planes.of, Plane<Channel>{});
+  if (count == 2) move_up(planes.of, Plane<Channel>{});
   return planes;
 }
 

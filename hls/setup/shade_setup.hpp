@@ -13,7 +13,6 @@ namespace halfspace {
 template <class F>
 Planes<F> colour_planes(const Attributes<F>& in, const typename F::Colour (&r)[3], const typename F::Colour (&g)[3],
                         const typename F::Colour (&b)[3]) {
-  using Channel = typename F::ColourChannel;
   Planes<F> out{};
   out.last = in.last;
   out.empty = in.empty;
@@ -22,10 +21,10 @@ Planes<F> colour_planes(const Attributes<F>& in, const typename F::Colour (&r)[3
     out.r = r[0];
     out.g = g[0];
     out.b = b[0];
-  } else if (!raw(in.empty)) {
+  } else if (!is_set(in.empty)) {
     const PlaneBase<F> base = frame_base(in);
     const typename F::Colour value[3][3] = {{r[0], r[1], r[2]}, {g[0], g[1], g[2]}, {b[0], b[1], b[2]}};
-    const ChannelPlanes<F, Channel> planes = channel_planes<F, Channel>(base, value);
+    const auto planes = channel_planes<F, typename F::ColourChannel>(base, value);
     out.r = planes.of[0].start;
     out.r_dx = planes.of[0].dx;
     out.r_dy = planes.of[0].dy;
@@ -50,16 +49,16 @@ template <class F>
 bool shade_setup(Stream<Attributes<F>>& attributes, Stream<Colours<F>>& colours, Stream<Planes<F>>& planes) {
   const Attributes<F> in = attributes.read();
   Colours<F> ordered{};
-  if (!raw(in.empty)) {
+  if (!is_set(in.empty)) {
     const Colours<F> given = colours.read();
-    const VertexOrder order = vertex_order(in);
-  Vertices:
-    for (int i = 0; i < 3; ++i) {
-      HS_UNROLL
-      const int v = F::kGouraud ? order.vertex[i] : 0;
-      ordered.r[i] = given.r[v];
-      ordered.g[i] = given.g[v];
-      ordered.b[i] = given.b[v];
+    // Flat: of the one colour.
+    if (F::kGouraud) {
+      const VertexOrder order = vertex_order(in);
+      put_in_order(given.r, order, ordered.r);
+      put_in_order(given.g, order, ordered.g);
+      put_in_order(given.b, order, ordered.b);
+    } else {
+      ordered = given;
     }
   }
   planes.write(colour_planes<F>(in, ordered.r, ordered.g, ordered.b));

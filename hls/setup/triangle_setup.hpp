@@ -157,19 +157,16 @@ bool triangle_setup(const Frame<F>& frame, Stream<Triangle<F>>& triangle, Stream
     const Coord px = Coord(shift_left(x_start, F::kLog2LanesX)) + half_pixel<F>();
     const Coord py = Coord(shift_left(y_start, F::kLog2LanesY)) + half_pixel<F>();
 
-    Coord xi = x[0], yi = y[0], x_next = x[1], y_next = y[1], x_last = x[2], y_last = y[2];
+    Coord xs[3] = {x[0], x[1], x[2]}, ys[3] = {y[0], y[1], y[2]};
   Edges:
     HS_IN_TURN for (int i = 0; i < 3; ++i) {
       HS_PIPELINE(1)
-      const typename F::Delta dx = x_next - xi, dy = y_next - yi;
-      const typename F::EdgeStep e = edge_start<F>(xi, yi, dx, dy, px, py);
-      take_turn(out.e, e);
-      take_turn(out.e_dx, typename F::Delta(-dy));
-      take_turn(out.e_dy, dx);
-      const Coord x_done = xi, y_done = yi;
-      xi = x_next, yi = y_next;
-      x_next = x_last, y_next = y_last;
-      x_last = x_done, y_last = y_done;
+      const typename F::Delta dx = xs[1] - xs[0], dy = ys[1] - ys[0];
+      move_up<typename F::EdgeStep>(out.e, edge_start<F>(xs[0], ys[0], dx, dy, px, py));
+      move_up<typename F::Delta>(out.e_dx, -dy);
+      move_up(out.e_dy, dx);
+      move_up(xs, xs[0]);
+      move_up(ys, ys[0]);
     }
 
     AreaReciprocal<F> inverse{};
@@ -212,7 +209,7 @@ bool triangle_setup(const Frame<F>& frame, Stream<Triangle<F>>& triangle, Stream
     }
   }
   setup.write(out);
-  if (!empty || raw(out.last) || F::kDeferred) attributes.write(shade);
+  if (!empty || is_set(out.last) || F::kDeferred) attributes.write(shade);
   return is_set(out.last);
 }
 

@@ -4,27 +4,42 @@
 #ifndef HALFSPACE_HLS_SHADE_LIGHT_VERTEX_HPP_
 #define HALFSPACE_HLS_SHADE_LIGHT_VERTEX_HPP_
 
+#include "hls/numbers/turns.hpp"
 #include "hls/shade/lighting.hpp"
 
 namespace halfspace {
 
+// One normal after the other, which move up.
 template <class F>
-void light_vertex(Stream<Normals<F>>& normals, const LightTable<F>& lights, const MaterialTable<F>& materials,
-                  Stream<Colours<F>>& colours) {
-  const Normals<F> in = normals.read();
+Colours<F> lit_colours(const Normals<F>& in, const LightTable<F>& lights, const MaterialTable<F>& materials) {
+  Normals<F> next = in;
   Colours<F> out{};
   out.last = in.last;
   out.index = in.index;
 Vertices:
-  for (int v = 0; v < 3; ++v) {
-    if (v > 0 && !F::kGouraud) break;
-    const typename F::Normal n[3] = {in.x[v], in.y[v], in.z[v]};
+  HS_IN_TURN for (int v = 0; v < (F::kGouraud ? 3 : 1); ++v) {
+    const typename F::Normal n[3] = {next.x[0], next.y[0], next.z[0]};
     const Rgb<F> colour = light_normal<F>(n, in.material, lights, materials);
-    out.r[v] = colour.channel[0];
-    out.g[v] = colour.channel[1];
-    out.b[v] = colour.channel[2];
+    if (F::kGouraud) {
+      move_up(next.x, next.x[0]);
+      move_up(next.y, next.y[0]);
+      move_up(next.z, next.z[0]);
+      move_up(out.r, colour.channel[0]);
+      move_up(out.g, colour.channel[1]);
+      move_up(out.b, colour.channel[2]);
+    } else {
+      out.r[0] = colour.channel[0];
+      out.g[0] = colour.channel[1];
+      out.b[0] = colour.channel[2];
+    }
   }
-  colours.write(out);
+  return out;
+}
+
+template <class F>
+void light_vertex(Stream<Normals<F>>& normals, const LightTable<F>& lights, const MaterialTable<F>& materials,
+                  Stream<Colours<F>>& colours) {
+  colours.write(lit_colours<F>(normals.read(), lights, materials));
 }
 
 }  // namespace halfspace

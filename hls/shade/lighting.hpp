@@ -36,30 +36,26 @@ void store_material(Stream<Material<F>>& materials, MaterialTable<F>& table) {
 // max(0, n·a / |n|), at most 1.
 template <class F>
 typename F::Cosine cosine(const typename F::Dot& dot, const ReciprocalRoot<F>& inverse) {
-  if (raw(dot) <= 0) return from_raw<typename F::Cosine>(0);
-  const int u = F::Cosine::fraction(), p = F::Normal::fraction();
-  // Of n·2^k, the length of which is 1 to 2, in units of 2^−u; half up.
-  const std::uint64_t scaled = std::uint64_t(raw(dot)) << int(raw(inverse.shift));
-  const std::uint64_t rounded = (scaled + (std::uint64_t(1) << p)) >> (p + 1);
-  const std::uint64_t most = (std::uint64_t(2) << u) - 1;
-  const auto projection = from_raw<typename F::Projection>(rounded < most ? rounded : most);
-  const std::uint64_t product = std::uint64_t(raw(projection)) * std::uint64_t(raw(inverse.root));
-  const std::uint64_t result = (product + (std::uint64_t(1) << (kRootFraction - 1))) >> kRootFraction;
-  const std::uint64_t one = std::uint64_t(1) << u;
-  return from_raw<typename F::Cosine>(result < one ? result : one);
+  using Projection = typename F::Projection;
+  using Cosine = typename F::Cosine;
+  // Of n·2^k, the length of which is 1 to 2.
+  const typename F::Dot::Unsigned scaled = shift_left(dot, int(raw(inverse.shift)));
+  const auto rounded = round_to<Refined<typename F::Dot::Unsigned, Projection>>(scaled);
+  const Projection most = from_raw<Projection>(-1);
+  const Projection projection = select(rounded < most, Projection(rounded), most);
+  const Cosine result = round_to<Cosine>(projection * inverse.root);
+  const Cosine one = from_raw<Cosine>(std::uint64_t(1) << Cosine::fraction());
+  const Cosine at_most_one = select(result < one, result, one);
+  return select(dot > typename F::Dot(), at_most_one, from_raw<Cosine>(0));
 }
 
 // x^(2^k); k beyond what is built counts as the largest that is.
 template <class F>
 typename F::Cosine power(typename F::Cosine x, int k) {
-  const int u = F::Cosine::fraction();
 Square:
   for (int j = 0; j < kMostSquarings; ++j) {
     HS_UNROLL
-    if (j < F::kSquarings && j < k) {
-      const std::uint64_t square = std::uint64_t(raw(x)) * std::uint64_t(raw(x));
-      x = from_raw<typename F::Cosine>((square + (std::uint64_t(1) << (u - 1))) >> u);
-    }
+    if (j < F::kSquarings) x = select(j < k, round_to<typename F::Cosine>(x * x), x);
   }
   return x;
 }
@@ -76,33 +72,48 @@ struct LitSum {
 };
 
 template <class F>
+typename F::Dot dot_product(const typename F::Normal (&n)[3], const typename F::Direction (&a)[3]) {
+  return n[0] * a[0] + n[1] * a[1] + n[2] * a[2];
+}
+
+// 1/|n|
+template <class F>
+ReciprocalRoot<F> reciprocal_length(const typename F::Normal (&n)[3]) {
+  return reciprocal_sqrt<F>(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+}
+
+// `sum`, and what a light adds to it.
+template <class F>
+LitSum<F> add_light(const LitSum<F>& sum, const typename F::Normal (&n)[3], const ReciprocalRoot<F>& inverse,
+                    const Light<F>& light, const Material<F>& entry) {
+  using Cosine = typename F::Cosine;
+  const typename F::Dot along = dot_product<F>(n, light.to_light);
+  const Cosine diffuse = cosine<F>(along, inverse);
+  Cosine highlight = from_raw<Cosine>(0);
+  if (F::kHasGloss) {
+    const Cosine half = power<F>(cosine<F>(dot_product<F>(n, light.half), inverse), int(raw(entry.gloss)));
+    highlight = select(along > typename F::Dot(), half, highlight);
+  }
+  LitSum<F> lit;
+Channels:
+  for (int c = 0; c < 3; ++c) {
+    HS_UNROLL
+    const typename F::LightSum base = sum.channel[c] + entry.base[c];
+    lit.channel[c] = base + entry.diffuse[c] * diffuse;
+    if (F::kHasGloss) lit.channel[c] = lit.channel[c] + entry.specular[c] * highlight;
+  }
+  return lit;
+}
+
+template <class F>
 LitSum<F> light_sum(const typename F::Normal (&n)[3], const typename F::MaterialNumber& material,
                     const LightTable<F>& lights, const MaterialTable<F>& materials) {
-  using Sum = typename F::LightSum;
-  const typename F::SquaredLength length = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
-  const ReciprocalRoot<F> inverse = reciprocal_sqrt<F>(length);
+  const ReciprocalRoot<F> inverse = reciprocal_length<F>(n);
   LitSum<F> sum{};
 Lights:
-  for (int i = 0; i < kMostLights; ++i) {
+  HS_IN_TURN for (int i = 0; i < F::kLights; ++i) {
     HS_PIPELINE(1)
-    if (i >= F::kLights) break;
-    const Light<F>& light = lights.light[i];
-    const Material<F>& entry = materials.entry[int(raw(material))][i];
-    const typename F::Dot along = n[0] * light.to_light[0] + n[1] * light.to_light[1] + n[2] * light.to_light[2];
-    const typename F::Cosine diffuse = cosine<F>(along, inverse);
-    typename F::Cosine highlight = from_raw<typename F::Cosine>(0);
-    if (F::kHasGloss && raw(along) > 0) {
-      const typename F::Dot half = n[0] * light.half[0] + n[1] * light.half[1] + n[2] * light.half[2];
-      highlight = power<F>(cosine<F>(half, inverse), int(raw(entry.gloss)));
-    }
-  Channels:
-    for (int c = 0; c < 3; ++c) {
-      HS_UNROLL
-      const Sum base = sum.channel[c] + entry.base[c];
-      const Sum lit = base + entry.diffuse[c] * diffuse;
-      if (F::kHasGloss) sum.channel[c] = lit + entry.specular[c] * highlight;
-      else sum.channel[c] = lit;
-    }
+    sum = add_light(sum, n, inverse, lights.light[i], materials.entry[int(raw(material))][i]);
   }
   return sum;
 }
@@ -110,16 +121,14 @@ Lights:
 // Half up, and full scale at most.
 template <class F>
 typename F::Colour rounded_colour(const typename F::LightSum& sum) {
-  const int fraction = F::LightSum::fraction();
-  const std::uint64_t whole = (std::uint64_t(raw(sum)) + (std::uint64_t(1) << (fraction - 1))) >> fraction;
-  const std::uint64_t full = (std::uint64_t(1) << F::kColourBits) - 1;
-  return from_raw<typename F::Colour>(whole < full ? whole : full);
+  using Colour = typename F::Colour;
+  const auto whole = round_to<Whole<Wider<typename F::LightSum, 1>>>(sum);
+  const Colour full = from_raw<Colour>(-1);
+  return select(whole < full, Colour(whole), full);
 }
 
 template <class F>
-Rgb<F> light_normal(const typename F::Normal (&n)[3], const typename F::MaterialNumber& material,
-                    const LightTable<F>& lights, const MaterialTable<F>& materials) {
-  const LitSum<F> sum = light_sum<F>(n, material, lights, materials);
+Rgb<F> rounded_colours(const LitSum<F>& sum) {
   Rgb<F> colour;
 Round:
   for (int c = 0; c < 3; ++c) {
@@ -127,6 +136,12 @@ Round:
     colour.channel[c] = rounded_colour<F>(sum.channel[c]);
   }
   return colour;
+}
+
+template <class F>
+Rgb<F> light_normal(const typename F::Normal (&n)[3], const typename F::MaterialNumber& material,
+                    const LightTable<F>& lights, const MaterialTable<F>& materials) {
+  return rounded_colours(light_sum<F>(n, material, lights, materials));
 }
 
 }  // namespace halfspace

@@ -12,9 +12,23 @@
 
 namespace halfspace {
 
+// n + 2^p units: the bits of n, the top one inverted.
 template <class F>
 typename F::NormalChannel::Value offset_component(const typename F::Normal& n) {
-  return from_raw<typename F::NormalChannel::Value>(raw(n) + (std::int64_t(1) << F::Normal::fraction()));
+  using Value = typename F::NormalChannel::Value;
+  return slice<Value>(n, 0) + from_raw<Value>(std::uint64_t(1) << F::Normal::fraction());
+}
+
+template <class F>
+void offset_components(const typename F::Normal (&given)[3], const VertexOrder& order,
+                       typename F::NormalChannel::Value (&offset)[3]) {
+  typename F::Normal n[3];
+  put_in_order(given, order, n);
+Vertices:
+  for (int v = 0; v < 3; ++v) {
+    HS_UNROLL
+    offset[v] = offset_component<F>(n[v]);
+  }
 }
 
 template <class F>
@@ -25,20 +39,22 @@ bool phong_setup(Stream<Attributes<F>>& attributes, Stream<Normals<F>>& normals,
   out.last = in.last;
   out.empty = in.empty;
   out.index = in.index;
-  if (!raw(in.empty)) {
+  if (!is_set(in.empty)) {
     const Normals<F> given = normals.read();
     out.material = given.material;
     const PlaneBase<F> base = frame_base(in);
     const VertexOrder order = vertex_order(in);
-    const typename F::Normal* const component[3] = {given.x, given.y, given.z};
+    typename F::NormalChannel::Value component[3][3];
+    offset_components<F>(given.x, order, component[0]);
+    offset_components<F>(given.y, order, component[1]);
+    offset_components<F>(given.z, order, component[2]);
+    const auto plane = channel_planes<F, typename F::NormalChannel>(base, component);
   Components:
     for (int i = 0; i < 3; ++i) {
-      const auto plane = plane_setup<F, typename F::NormalChannel>(
-          base, offset_component<F>(component[i][order.vertex[0]]), offset_component<F>(component[i][order.vertex[1]]),
-          offset_component<F>(component[i][order.vertex[2]]));
-      out.start[i] = plane.start;
-      out.dx[i] = plane.dx;
-      out.dy[i] = plane.dy;
+      HS_UNROLL
+      out.start[i] = plane.of[i].start;
+      out.dx[i] = plane.of[i].dx;
+      out.dy[i] = plane.of[i].dy;
     }
   }
   planes.write(out);

@@ -15,7 +15,7 @@
 #define HALFSPACE_HLS_SHADE_RECIPROCAL_SQRT_HPP_
 
 #include "hls/formats/formats.hpp"
-#include "hls/numbers/stream.hpp"
+#include "hls/numbers/arithmetic.hpp"
 
 namespace halfspace {
 
@@ -82,30 +82,34 @@ struct ReciprocalRoot {
 
 template <class F>
 ReciprocalRoot<F> reciprocal_sqrt(const typename F::SquaredLength& length) {
+  using Length = typename F::SquaredLength;
   static constexpr RootTable kTable = root_table();
-  const int top = F::SquaredLength::width() - 1;
-  std::uint64_t q = raw(length);
+  const int top = Length::width() - 1;
+  Length q = length;
   int shift = 0;
 Normalize:
   for (int step = 16; step > 0; step /= 2) {
     HS_UNROLL
-    if (2 * step <= top && q >> (top + 1 - 2 * step) == 0) {
-      q <<= 2 * step;
-      shift += step;
+    if (2 * step <= top) {
+      const bool shifts = is_zero(shift_right(q, top + 1 - 2 * step));
+      q = select(shifts, shift_left(q, 2 * step), q);
+      shift += shifts ? step : 0;
     }
   }
-  const int octave = int(q >> top & 1);
+  const bool octave = !is_zero(shift_right(q, top));
   // The leading one at `top`, and the field below it.
-  const int field_bits = kRootIndexBits + kRootOffsetBits;
-  const std::uint64_t field = (octave ? q : q << 1) >> (top - field_bits) & ((std::uint64_t(1) << field_bits) - 1);
-  const int segment = octave << kRootIndexBits | int(field >> kRootOffsetBits);
-  const std::uint64_t offset = field & ((std::uint64_t(1) << kRootOffsetBits) - 1);
-  const std::uint64_t line = (std::uint64_t(kTable.value[segment]) << kRootOffsetBits) - kTable.slope[segment] * offset;
-  const int places = kRootValueFraction + kRootOffsetBits - kRootFraction;
+  const Length m = select(octave, q, shift_left(q, 1));
+  const auto index = slice<ufix<kRootIndexBits, kRootIndexBits>>(m, top - kRootIndexBits);
+  const int segment = int(octave) << kRootIndexBits | int(raw(index));
+  const auto offset = slice<ufix<kRootOffsetBits, kRootOffsetBits>>(m, top - kRootIndexBits - kRootOffsetBits);
+  const auto slope = from_raw<ufix<kRootSlopeBits, kRootSlopeBits>>(kTable.slope[segment]);
+  // The slope is of 2^−kRootValueFraction, and a place in a segment of 2^−kRootOffsetBits.
+  using Fall = ufix<kRootValueFraction + kRootOffsetBits, 0>;
+  const auto line = from_raw<ufix<kRootValueFraction, 0>>(kTable.value[segment]) - slice<Fall>(slope * offset, 0);
 
   ReciprocalRoot<F> result;
   result.shift = from_raw<typename F::RootShift>(shift);
-  result.root = from_raw<typename F::Root>((line + (std::uint64_t(1) << (places - 1))) >> places);
+  result.root = round_to<typename F::Root>(line);
   return result;
 }
 

@@ -163,6 +163,10 @@ IfRuntime<T, T, T> shift_right(const T& x, int n) {
   return T::from_bits(x.bits >> n);
 }
 inline RuntimeResult shift_right(const RuntimeResult& x, int n) { return {x.bits >> n, x.fraction_bits}; }
+template <class T>
+T round_to(const RuntimeResult& x) {
+  return RuntimeResult{x.bits + (std::int64_t(1) << (x.fraction() - T::fraction() - 1)), x.fraction()};
+}
 template <class T, class A, class B>
 IfRuntime<A, B, T> rounded_product(const A& a, const B& b, int n) {
   const __int128 twice = 2 * (__int128(a.bits) * __int128(b.bits));

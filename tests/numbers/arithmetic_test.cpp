@@ -179,6 +179,37 @@ TEST(Arithmetic, WrapsAProduct) {
   expect_modulo<ufix<64, 32>, ufix<64, 40>, ufix<40, 32>>();
 }
 
+template <class T, class X>
+void expect_rounded_to() {
+  const int places = X::kFraction - T::kFraction;
+  for (const std::uint64_t bits : bits_of<X>()) {
+    const Wide v = wrapped<X>(Wide(bits)), twice = v >> (places - 1);
+    ASSERT_EQ(Wide(raw(round_to<T>(from_raw<X>(bits)))), wrapped<T>((twice + 1) >> 1)) << bits;
+  }
+}
+TEST(Arithmetic, RoundsHalfUp) {
+  expect_rounded_to<fix<4, 2>, fix<5, 2>>();
+  expect_rounded_to<ufix<3, 3>, ufix<5, 2>>();
+  expect_rounded_to<ufix<18, 0>, fix<33, 1>>();
+  expect_rounded_to<ufix<17, 1>, ufix<63, 4>>();
+}
+
+template <class T, class A>
+void expect_stepped() {
+  for (const std::uint64_t x : bits_of<T>()) {
+    for (const std::uint64_t a : bits_of<A>()) {
+      const T got = stepped(from_raw<T>(x), from_raw<A>(a), 3, from_raw<A>(a / 3), 2);
+      const Wide step = 3 * wrapped<A>(Wide(a)) + 2 * wrapped<A>(Wide(a / 3));
+      ASSERT_EQ(Wide(raw(got)), wrapped<T>(wrapped<T>(Wide(x)) + step)) << x << ", " << a;
+    }
+  }
+}
+TEST(Arithmetic, StepsInAPlane) {
+  expect_stepped<ufix<5, 2>, fix<5, 2>>();
+  expect_stepped<ufix<22, 8>, fix<22, 8>>();
+  expect_stepped<ufix<62, 20>, fix<61, 19>>();
+}
+
 // Products that are taken at once, and longer ones.
 template <class T, class A, class B>
 void expect_rounded() {

@@ -45,7 +45,7 @@ struct Stamp {
 };
 
 // Where the stamps end that a call of a kernel takes.
-enum class Until { kTriangleEnds, kFrameEnds };
+enum class Until { kStampEnds, kTriangleEnds, kFrameEnds };
 
 // What the stamps of a triangle cost ztest_plane: cycles, and entries of TdbV that it reads.
 struct PlaneTests {
