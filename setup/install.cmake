@@ -13,6 +13,7 @@ install(EXPORT halfspaceTargets NAMESPACE halfspace:: DESTINATION ${package} COM
 install(DIRECTORY hls DESTINATION ${headers} COMPONENT kernels
   PATTERN CMakeLists.txt EXCLUDE PATTERN *.cpp EXCLUDE PATTERN *.toml EXCLUDE PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY hls/top DESTINATION ${data}/hls COMPONENT kernels FILES_MATCHING PATTERN *.cpp)
+install(FILES hls/numbers/stream_words.cpp DESTINATION ${data}/hls/numbers COMPONENT kernels)
 install(DIRECTORY hls/formats/configs/ DESTINATION ${data}/configs COMPONENT kernels FILES_MATCHING PATTERN *.toml)
 
 set(built ${PROJECT_BINARY_DIR}/setup)

@@ -80,23 +80,3 @@ function(halfspace_test name)
   target_precompile_headers(${name} REUSE_FROM tests_header)
   halfspace_add_test(NAME ${name} ${T_UNPARSED_ARGUMENTS} BUILDS ${name} COMMAND $<TARGET_FILE:${name}> --gtest_brief=1)
 endfunction()
-
-# halfspace_tops_test(NAME SOURCE CONFIG HEADER UNITS unit … TOPS file …): the tops as an HLS tool compiles them in a
-# configuration that HEADER has, and a GoogleTest program on them. TOPS: of hls/top, without `_top.cpp`.
-function(halfspace_tops_test name source config header)
-  cmake_parse_arguments(PARSE_ARGV 4 T "" "" "UNITS;TOPS")
-  list(TRANSFORM T_TOPS REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/hls/top/\\1_top.cpp")
-  add_library(tops_${name} OBJECT EXCLUDE_FROM_ALL ${T_TOPS})
-  set_target_properties(tops_${name} PROPERTIES CXX_STANDARD 14)
-  add_executable(${name} EXCLUDE_FROM_ALL ${source} $<TARGET_OBJECTS:tops_${name}>)
-  target_link_libraries(${name} PRIVATE halfspace_study GTest::gtest_main)
-  foreach(part IN ITEMS tops_${name} ${name})
-    target_include_directories(${part} PRIVATE ${PROJECT_SOURCE_DIR})
-    # They run for moments: what costs is to compile them.
-    target_compile_options(${part} PRIVATE -O1 "SHELL:-include \"${PROJECT_SOURCE_DIR}/tests/${header}\"")
-    target_compile_definitions(${part} PRIVATE HALFSPACE_TOP_CONFIG=${config})
-    halfspace_warnings(${part})
-  endforeach()
-  halfspace_add_test(NAME ${name} WORLD hls UNITS ${T_UNITS} BUILDS ${name}
-                     COMMAND $<TARGET_FILE:${name}> --gtest_brief=1)
-endfunction()

@@ -13,6 +13,8 @@
 #include "hls/formats/stamp.hpp"
 #include "hls/formats/texture_formats.hpp"
 #include "hls/numbers/fixed.hpp"
+#include "hls/numbers/fixed_native.hpp"
+#include "hls/numbers/pragmas.hpp"
 
 namespace halfspace {
 
@@ -35,10 +37,20 @@ constexpr FormatTable format_table(const Config& c) {
   return t;
 }
 
+// What has the same width in every configuration.
+template <template <int, int, bool> class Number>
+struct FlagFormats {
+  using Bit = Number<1, 1, false>;
+  using VertexNumber = Number<2, 2, false>;  // 0 … 2
+  using Keys = Number<2, 2, false>;          // bit k: key k contributed
+};
+
 // The kernels' view of configuration C (a type with config()) and of a stamp. A simulation may put another class in its
 // place that has the same members, not constant: kernels use nothing of it as a template argument but the lanes.
-template <class C, class S>
-struct Formats : StampConstants<S> {
+template <class C, class S, template <int, int, bool> class Number = Fixed>
+struct Formats : StampConstants<S>, FlagFormats<Number> {
+  // The same on numbers that a constexpr can make.
+  using Constexpr = Formats<C, S, native::Fixed>;
   static constexpr Config config() { return C::config(); }
   static constexpr FormatTable table() { return format_table(C::config()); }
   using Checked = AcceptedConfig<refusal(C::config())>;
@@ -54,7 +66,7 @@ struct Formats : StampConstants<S> {
   static constexpr int kStamps = kStampsX * kStampsY;
 
 #define HS_FORMAT(part, member, Type, is_used, why) \
-  using Type = Fixed<table().member.width, table().member.integer, table().member.is_signed>;
+  using Type = Number<table().member.width, table().member.integer, table().member.is_signed>;
 #include "hls/formats/lists/format_list.hpp"
 #define HS_CHANNEL(part, vertex, Vertex, channel, Channel, is_used, bits, fraction) HS_CHANNEL_TYPES(Vertex, Channel)
 #include "hls/formats/lists/format_list.hpp"

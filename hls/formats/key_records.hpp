@@ -22,7 +22,7 @@ struct KeyWeightWord {
   typename F::KeyWeight weight;
 
   template <class V>
-  void visit(V&& v) {
+  HS_INLINE constexpr void visit(V&& v) {
     v("weight", weight);
   }
 };
@@ -34,7 +34,7 @@ struct KeyRequest {
   typename F::TileY tile_y;
 
   template <class V>
-  void visit(V&& v) {
+  HS_INLINE constexpr void visit(V&& v) {
     v("tile_x", tile_x), v("tile_y", tile_y);
   }
 };
@@ -47,24 +47,24 @@ struct KeyBlock {
   typename F::Face face[N * N];  // 0: background, or more than one face
 
   template <class V>
-  void visit(V&& v) {
+  HS_INLINE constexpr void visit(V&& v) {
     v.lanes("r", r), v.lanes("g", g), v.lanes("b", b), v.lanes("face", face);
   }
 };
 
-using Keys = ufix<2, 2>;  // bit k: key k contributed
+using Keys = FlagFormats<Fixed>::Keys;
 
 // motion_compensate → frame, a word a word of motion.
 template <class F>
 struct Compensated {
-  Bit last;
+  typename F::Bit last;
   typename F::X x;
   typename F::Y y;
   typename F::Colour r, g, b;  // 0 without a key: a hole, or the background
-  Keys keys;
+  typename F::Keys keys;
 
   template <class V>
-  void visit(V&& v) {
+  HS_INLINE constexpr void visit(V&& v) {
     v("last", last), v("x", x), v("y", y), v("r", r), v("g", g), v("b", b), v("keys", keys);
   }
 };

@@ -13,9 +13,15 @@ template <class F>
 struct ObjectPixel {
   typename F::Depth depth[F::kLanes];
   typename F::Object object[F::kLanes];
-  Bit last;
+  typename F::Bit last;
   typename F::X x;
   typename F::Y y;
+
+  template <class V>
+  HS_INLINE constexpr void visit(V&& v) {
+    v("last", last), v("x", x), v("y", y);
+    v.lanes("depth", depth), v.lanes("object", object);
+  }
 };
 
 // A stamp of the D-buffer, as join_entry sends it in the place of Pixel, of an S-buffer, or of what they are merged
@@ -26,7 +32,7 @@ struct Entry : Pixel<F> {
   typename F::Object object[F::kLanes];
 
   template <class V>
-  void visit(V&& v) {
+  HS_INLINE constexpr void visit(V&& v) {
     v("last", this->last), v("x", this->x), v("y", this->y);
     v.lanes("depth", depth), v.lanes("object", object);
     v.lanes("r", this->r), v.lanes("g", this->g), v.lanes("b", this->b);
@@ -36,13 +42,13 @@ struct Entry : Pixel<F> {
 // What a run of ztest_merge is to do.
 template <class F>
 struct Merge {
-  Bit merges;                      // a word of `entry` comes with each of `stored`
-  Bit sends;                       // a word of `merged` goes for each of these
+  typename F::Bit merges;          // a word of `entry` comes with each of `stored`
+  typename F::Bit sends;           // a word of `merged` goes for each of these
   typename F::Object first, last;  // objects that are looked for and erased; none if first > last
   typename F::Colour r, g, b;      // of the background, which erased pixels become
 
   template <class V>
-  void visit(V&& v) {
+  HS_INLINE constexpr void visit(V&& v) {
     v("merges", merges), v("sends", sends), v("first", first), v("last", last);
     v("r", r), v("g", g), v("b", b);
   }
@@ -57,7 +63,7 @@ struct Found {
   typename F::Y y_first, y_last;
 
   template <class V>
-  void visit(V&& v) {
+  HS_INLINE constexpr void visit(V&& v) {
     v("count", count);
     v("x_first", x_first), v("x_last", x_last);
     v("y_first", y_first), v("y_last", y_last);

@@ -51,12 +51,11 @@ ParityTile<Tile> tile_of(const KeyAxis<Tile, N>& axis, int parity) {
   return out;
 }
 
-// Fetches what the cache lacks of the tiles of both axes, slot after slot. `memory` has the blocks of tile (x, y) from
-// (y · tiles_x + x) · blocks_a_tile on, row by row.
+// Fetches what the cache lacks of the tiles of both axes, slot after slot. A `memory` is asked by request(tile), and
+// read() then gives the blocks of the tile, row by row.
 template <class F, int N, class Memory>
 void fill_cache(KeyCache<F, N>& cache, const KeyAxis<typename F::TileX, N>& columns,
-                const KeyAxis<typename F::TileY, N>& rows, const Memory& memory, int tiles_x,
-                Probe<KeyRequest<F>>& request, Probe<KeyBlock<F, N>>& block) {
+                const KeyAxis<typename F::TileY, N>& rows, Memory& memory) {
 Slots:
   for (int slot = 0; slot < kCacheSlots; ++slot) {
     const ParityTile<typename F::TileX> x = tile_of(columns, slot & 1);
@@ -66,13 +65,11 @@ Slots:
     KeyRequest<F> tag;
     tag.tile_x = x.tile;
     tag.tile_y = y.tile;
-    request.write(tag);
-    const int from = (int(raw(y.tile)) * tiles_x + int(raw(x.tile))) * blocks_a_tile(N);
+    memory.request(tag);
   Blocks:
     for (int n = 0; n < blocks_a_tile(N); ++n) {
       HS_PIPELINE(1)
-      const KeyBlock<F, N> in = memory[from + n];
-      block.write(in);
+      const KeyBlock<F, N> in = memory.read();
     Banks:
       for (int bank = 0; bank < N * N; ++bank) {
         HS_UNROLL

@@ -21,11 +21,6 @@ KeyNumber<F> key_pixels(const Size& size) {
   using Number = KeyNumber<F>;
   return shift_right(Number(size + from_raw<Number>((1 << F::kLog2Samples) - 1)), F::kLog2Samples);
 }
-// Tiles for so many pixels of it.
-template <class Number>
-int key_tiles(const Number& pixels) {
-  return int(raw(shift_right(Number(pixels + from_raw<Number>(kKeyTile - 1)), kLog2KeyTile)));
-}
 
 // Along an axis, the pixels of a filter: N from the first one on, of which some lie inside the frame. The tiles of the
 // first and the last of these are the same or neighbours.

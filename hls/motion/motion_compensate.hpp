@@ -86,30 +86,27 @@ Compensated<F> compensated_pixel(const CompensationFrame<F>& frame, const Motion
 // Fetches what the cache of a key lacks, reads it, and makes of it what comes of the key.
 template <class F, int N, class Memory>
 KeyColour<F> fetched_colour(const CompensationFrame<F>& frame, const KeyWeights<F>& weights, const Motion<F>& in,
-                            const KeyVector<F>& v, KeyCache<F, N>& cache, const Memory& memory,
-                            Probe<KeyRequest<F>>& request, Probe<KeyBlock<F, N>>& block) {
+                            const KeyVector<F>& v, KeyCache<F, N>& cache, Memory& memory) {
   const KeyNumber<F> width = key_pixels<F>(frame.width), height = key_pixels<F>(frame.height);
   const KeyAxis<typename F::TileX, N> columns = key_axis<F, typename F::TileX, N>(width, in.x, v.x);
   const KeyAxis<typename F::TileY, N> rows = key_axis<F, typename F::TileY, N>(height, in.y, v.y);
   if (is_set(in.face) && is_set(v.there) && columns.any_inside && rows.any_inside) {
-    fill_cache(cache, columns, rows, memory, key_tiles(width), request, block);
+    fill_cache(cache, columns, rows, memory);
   }
   KeyPixel<F> pixel[N][N];
   read_cache(cache, columns.first, rows.first, pixel);
   return key_colour<F, N>(weights, in, v, columns, rows, pixel);
 }
 
-// memory_k: blocks of key frame k, an array or what is read like one. The caches are empty before the first word, and
-// after the last one of a frame.
+// memory_k: of key frame k, as fill_cache asks it. The caches are empty before the first word, and after the last one
+// of a frame.
 template <class F, int N, class Memory>
 bool motion_compensate(const CompensationFrame<F>& frame, const KeyWeights<F>& weights, KeyCache<F, N>& cache_0,
-                       KeyCache<F, N>& cache_1, const Memory& memory_0, const Memory& memory_1,
-                       Stream<Motion<F>>& motion, Probe<KeyRequest<F>>& request_0, Probe<KeyBlock<F, N>>& block_0,
-                       Probe<KeyRequest<F>>& request_1, Probe<KeyBlock<F, N>>& block_1,
+                       KeyCache<F, N>& cache_1, Memory& memory_0, Memory& memory_1, Stream<Motion<F>>& motion,
                        Stream<Compensated<F>>& compensated) {
   const Motion<F> in = motion.read();
-  const KeyColour<F> key_0 = fetched_colour<F, N>(frame, weights, in, in.key[0], cache_0, memory_0, request_0, block_0);
-  const KeyColour<F> key_1 = fetched_colour<F, N>(frame, weights, in, in.key[1], cache_1, memory_1, request_1, block_1);
+  const KeyColour<F> key_0 = fetched_colour<F, N>(frame, weights, in, in.key[0], cache_0, memory_0);
+  const KeyColour<F> key_1 = fetched_colour<F, N>(frame, weights, in, in.key[1], cache_1, memory_1);
   compensated.write(compensated_pixel(frame, in, key_0, key_1));
   if (is_set(in.last)) {
     empty_cache(cache_0);

@@ -1,56 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// Streams between kernels, and the pragmas. Natively a stream is an unbounded queue; a synthesis tool has its own:
+// Streams between kernels. Natively a stream is an unbounded queue of records. Where a top is compiled
+// it is a view of a channel of words, and a synthesis tool has its own channels:
 //
-//   HALFSPACE_STREAM_HLS   hls::stream and the pragmas of Vitis HLS, which chooses this by itself
-//   HALFSPACE_STREAM_AC    ac_channel; the pragmas are left to Catapult's directives, which name a loop by its label
+//   HALFSPACE_STREAM_HLS      hls::stream of Vitis HLS, which chooses this by itself
+//   HALFSPACE_STREAM_AC       ac_channel
+//   HALFSPACE_STREAM_WORDS    the tops natively: queues of words
 //   HALFSPACE_STREAM_BOUNDED  of tests: queues of a bounded length, whose processes wait on threads of their own
 #ifndef HALFSPACE_HLS_NUMBERS_STREAM_HPP_
 #define HALFSPACE_HLS_NUMBERS_STREAM_HPP_
 
-#if defined(HALFSPACE_STREAM_AC)
-#include <ac_channel.h>
-#define HS_STREAM ac_channel
-#define HS_PIPELINE(interval)
-#define HS_UNROLL
-#elif defined(HALFSPACE_STREAM_HLS) || defined(__VITIS_HLS__)
-#include <hls_stream.h>
-#define HS_STREAM hls::stream
-#define HS_PRAGMA(x) _Pragma(#x)
-#define HS_PIPELINE(interval) HS_PRAGMA(HLS PIPELINE II = interval)
-#define HS_UNROLL HS_PRAGMA(HLS UNROLL)
-#endif
+#include "hls/numbers/pragmas.hpp"
 
-// Before a loop whose turns share their multipliers: Bambu would unroll it, other tools are asked to. And before a
-// function that its calls share: Bambu would put it into each.
-#ifdef __BAMBU__
-#define HS_IN_TURN _Pragma("clang loop unroll(disable)")
-#define HS_SHARED __attribute__((noinline))
-#else
-#define HS_IN_TURN
-#define HS_SHARED
-#endif
-
-#ifdef HS_STREAM
-#define HS_INLINE
-namespace halfspace {
-template <class T>
-using Stream = HS_STREAM<T>;
-template <class T>
-struct Probe {
-  void write(const T&) {}
-};
-template <class T>
-struct Loaded {};
-}  // namespace halfspace
-#undef HS_STREAM
+#if defined(HALFSPACE_STREAM_HLS) || defined(HALFSPACE_STREAM_AC) || defined(HALFSPACE_STREAM_WORDS) || \
+    defined(__VITIS_HLS__)
+#include "hls/numbers/stream_words.hpp"
 #else
 #include <cassert>
 #include <cstddef>
 #include <vector>
-#define HS_PIPELINE(interval)
-#define HS_UNROLL
-// Of a step of a process: its state stays in registers where the loop about it is compiled.
-#define HS_INLINE __attribute__((always_inline))
 
 #ifdef HALFSPACE_STREAM_BOUNDED
 #include "hls/numbers/stream_bounded.hpp"

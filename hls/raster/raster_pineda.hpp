@@ -266,7 +266,7 @@ class RasterPineda {
 template <Until kUntil, class F>
 HS_INLINE inline bool raster_pineda_steps(const Frame<F>& frame, Stream<Setup<F>>& setup, Stream<Stamp<F>>& stamp,
                                           Stream<TriangleDepth<F>>& depth_plane, Probe<int>& visits) {
-  RasterPineda<F> unit;
+  RasterPineda<F> unit{};
   int count = 0;
   bool has_triangle = false, done = false;
 Steps:

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// Of a configuration with lighting: HALFSPACE_TOP_CONFIG names it.
 #include "hls/shade/light_vertex.hpp"
-#include "hls/top/fields.hpp"
+
+#include "hls/top/tops.hpp"
 
 using namespace halfspace;
 
-extern "C" void light_vertex_top(const std::int64_t normals[kNormalsFields], const LightTable<TopFormats>* lights,
-                                 const MaterialTable<TopFormats>* materials, std::int64_t colours[kColoursFields]) {
+extern "C" void light_vertex_top(const TopLightTable& lights, const TopMaterialTable& materials, Port<Normals>& normals,
+                                 Port<Colours>& colours) {
+  HS_MEMORY_PORT(lights)
+  HS_MEMORY_PORT(materials)
+  HS_STREAM_PORT(normals)
+  HS_STREAM_PORT(colours)
+  HS_FREE_RUNNING
   using F = TopFormats;
-  static_assert(F::kHasLighting, "light_vertex is of configurations with lighting");
-  Stream<Normals<F>> in;
-  Stream<Colours<F>> out;
-  in.write(read_fields<Normals<F>>(normals));
-  light_vertex(in, *lights, *materials, out);
-  write_fields(out.read(), colours);
+  static_assert(F::kHasLighting && !F::kPhong, "light_vertex is of configurations that light vertices");
+  View<Normals> normals_words(normals);
+  View<Colours> colours_words(colours);
+  light_vertex(normals_words, lights, materials, colours_words);
 }

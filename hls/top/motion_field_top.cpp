@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Of a motion configuration: HALFSPACE_TOP_CONFIG names it. Returns the words of the stamp, a lane each at most.
 #include "hls/motion/motion_field.hpp"
-#include "hls/top/fields.hpp"
+
+#include "hls/top/tops.hpp"
 
 using namespace halfspace;
 
-extern "C" int motion_field_top(const std::int64_t scan[kScanFields], const MotionDatabase<TopFormats>* database,
-                                std::int64_t motion[TopFormats::kLanes][kMotionFields]) {
+extern "C" void motion_field_top(const TopMotionDatabase& database, Port<Scan>& scan, Port<Motion>& motion) {
+  HS_MEMORY_PORT(database)
+  HS_STREAM_PORT(scan)
+  HS_STREAM_PORT(motion)
+  HS_STARTED
   using F = TopFormats;
-  static_assert(F::kHasMotion, "motion_field is of motion configurations");
-  Stream<Scan<F>> in;
-  Stream<Motion<F>> out;
-  in.write(read_fields<Scan<F>>(scan));
-  motion_field(in, *database, out);
-  int words = 0;
+  static_assert(F::kHasMotion, "motion_field is of configurations with motion");
+  View<Scan> scan_words(scan);
+  View<Motion> motion_words(motion);
 Words:
-  while (!out.empty()) write_fields(out.read(), motion[words++]);
-  return words;
+  while (!motion_field(scan_words, database, motion_words)) {}
 }

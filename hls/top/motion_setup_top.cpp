@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// Of a motion configuration: HALFSPACE_TOP_CONFIG names it. The word of vectors is not looked at if the attributes are
-// empty.
 #include "hls/motion/motion_setup.hpp"
-#include "hls/top/fields.hpp"
+
+#include "hls/top/tops.hpp"
 
 using namespace halfspace;
 
-extern "C" void motion_setup_top(const std::int64_t attributes[kAttributesFields],
-                                 const std::int64_t vectors[kMotionVectorsFields],
-                                 std::int64_t planes[kMotionPlanesFields]) {
+extern "C" void motion_setup_top(Port<Attributes>& attributes, Port<MotionVectors>& vectors,
+                                 Port<MotionPlanes>& planes) {
+  HS_STREAM_PORT(attributes)
+  HS_STREAM_PORT(vectors)
+  HS_STREAM_PORT(planes)
+  HS_STARTED
   using F = TopFormats;
-  static_assert(F::kHasMotion, "motion_setup is of motion configurations");
-  Stream<Attributes<F>> in;
-  Stream<MotionVectors<F>> given;
-  Stream<MotionPlanes<F>> out;
-  in.write(read_fields<Attributes<F>>(attributes));
-  given.write(read_fields<MotionVectors<F>>(vectors));
-  motion_setup(in, given, out);
-  write_fields(out.read(), planes);
+  static_assert(F::kHasMotion, "motion_setup is of configurations with motion");
+  View<Attributes> attributes_words(attributes);
+  View<MotionVectors> vectors_words(vectors);
+  View<MotionPlanes> planes_words(planes);
+Words:
+  while (!motion_setup(attributes_words, vectors_words, planes_words)) {}
 }

@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// Of a configuration with Phong shading: HALFSPACE_TOP_CONFIG names it. One word of normals, of the triangle of the
-// attributes.
 #include "hls/shade/phong_setup.hpp"
-#include "hls/top/fields.hpp"
+
+#include "hls/top/tops.hpp"
 
 using namespace halfspace;
 
-extern "C" void phong_setup_top(const std::int64_t attributes[kAttributesFields],
-                                const std::int64_t normals[kNormalsFields],
-                                std::int64_t normal_planes[kNormalPlanesFields]) {
+extern "C" void phong_setup_top(Port<Attributes>& attributes, Port<Normals>& normals, Port<NormalPlanes>& planes) {
+  HS_STREAM_PORT(attributes)
+  HS_STREAM_PORT(normals)
+  HS_STREAM_PORT(planes)
+  HS_STARTED
   using F = TopFormats;
-  static_assert(F::kPhong, "phong_setup is of configurations with Phong shading");
-  Stream<Attributes<F>> in;
-  Stream<Normals<F>> given;
-  Stream<NormalPlanes<F>> out;
-  in.write(read_fields<Attributes<F>>(attributes));
-  given.write(read_fields<Normals<F>>(normals));
-  phong_setup(in, given, out);
-  write_fields(out.read(), normal_planes);
+  static_assert(F::kPhong, "phong_setup is of Phong shading");
+  View<Attributes> attributes_words(attributes);
+  View<Normals> normals_words(normals);
+  View<NormalPlanes> planes_words(planes);
+Words:
+  while (!phong_setup(attributes_words, normals_words, planes_words)) {}
 }

@@ -1,26 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hls/top/fields.hpp"
+#include "hls/raster/raster_pineda.hpp"
+
+#include "hls/top/tops.hpp"
 
 using namespace halfspace;
 
-// The stamps of one triangle, and for type γ its depth plane. Returns how many stamps.
-extern "C" int raster_pineda_top(int width, int height, const std::int64_t setup[kSetupFields],
-                                 std::int64_t stamp[TopFormats::kStamps * kStampFields],
-                                 std::int64_t depth_plane[kTriangleDepthFields]) {
+extern "C" void raster_pineda_top(int width, int height, Port<Setup>& setup, Port<Stamp>& stamp) {
+  HS_REGISTER_PORT(width)
+  HS_REGISTER_PORT(height)
+  HS_STREAM_PORT(setup)
+  HS_STREAM_PORT(stamp)
+  HS_STARTED
   using F = TopFormats;
-  Stream<Setup<F>> in;
-  Stream<Stamp<F>> out;
-  in.write(read_fields<Setup<F>>(setup));
+  static_assert(!F::kTestsPlanes, "raster_pineda_plane_top sends depth planes too");
+  const Frame<TopFormats> frame = top_frame(width, height);
+  View<Setup> setup_words(setup);
+  View<Stamp> stamp_words(stamp);
   Probe<int> visits;
-  Stream<TriangleDepth<F>> depth;
-  raster_pineda(top_frame(width, height, 0), in, out, depth, visits);
-  if (F::kTestsPlanes) write_fields(depth.read(), depth_plane);
-  int count = 0;
-Stamps:
-  for (int n = 0; n < F::kStamps; ++n) {
-    if (out.empty()) break;
-    write_fields(out.read(), stamp + n * kStampFields);
-    ++count;
-  }
-  return count;
+  View<TriangleDepth> depth_plane_words;  // none
+  raster_pineda_frame(frame, setup_words, stamp_words, depth_plane_words, visits);
 }

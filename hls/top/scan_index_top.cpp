@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hls/top/fields.hpp"
+#include "hls/shade/scan_index.hpp"
+
+#include "hls/top/tops.hpp"
 
 using namespace halfspace;
 
-// Row `y` of stamps in the caller's I-buffer, which is cleared there. Returns the number of stamps.
-extern "C" int scan_index_top(int width, int height, int y, IndexBuffer<TopFormats>* index_buffer,
-                              std::int64_t scan[TopFormats::kStampsX * kScanFields]) {
-  using F = TopFormats;
-  Stream<Scan<F>> out;
-  scan_index(top_frame(width, height, 0), y, *index_buffer, out);
-  int count = 0;
-Stamps:
-  for (int n = 0; n < F::kStampsX; ++n) {
-    if (out.empty()) break;
-    write_fields(out.read(), scan + n * kScanFields);
-    ++count;
-  }
-  return count;
+extern "C" void scan_index_top(int width, int height, TopIndexBuffer& index_buffer, Port<Scan>& scan) {
+  HS_REGISTER_PORT(width)
+  HS_REGISTER_PORT(height)
+  HS_MEMORY_PORT(index_buffer)
+  HS_STREAM_PORT(scan)
+  HS_STARTED
+  const Frame<TopFormats> frame = top_frame(width, height);
+  View<Scan> scan_words(scan);
+  scan_index_frame(frame, index_buffer, scan_words);
 }

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hls/top/fields.hpp"
+#include "hls/objects/scan_object.hpp"
+
+#include "hls/top/tops.hpp"
 
 using namespace halfspace;
 
-// A stamp of the finished frame and its colours, from the caller's buffers.
-extern "C" void scan_object_top(const std::int64_t scan[kScanFields], const std::int64_t pixel[kPixelFields],
-                                DepthBuffer<TopFormats>* depth_buffer, const ObjectTable<TopFormats>* table,
-                                std::int64_t entry[kEntryFields]) {
+extern "C" void scan_object_top(TopDepthBuffer& depth_buffer, const TopObjectTable& objects, Port<Scan>& scan,
+                                Port<ObjectPixel>& object_pixel) {
+  HS_MEMORY_PORT(depth_buffer)
+  HS_MEMORY_PORT(objects)
+  HS_STREAM_PORT(scan)
+  HS_STREAM_PORT(object_pixel)
+  HS_STARTED
   using F = TopFormats;
-  Stream<Scan<F>> in;
-  Stream<Pixel<F>> colours;
-  Stream<ObjectPixel<F>> objects;
-  Stream<Entry<F>> out;
-  in.write(read_fields<Scan<F>>(scan));
-  colours.write(read_fields<Pixel<F>>(pixel));
-  scan_object(in, *depth_buffer, *table, objects);
-  join_entry(colours, objects, out);
-  write_fields(out.read(), entry);
+  static_assert(F::kHasObjects, "scan_object is of configurations with objects");
+  View<Scan> scan_words(scan);
+  View<ObjectPixel> object_pixel_words(object_pixel);
+Words:
+  while (!scan_object(scan_words, depth_buffer, objects, object_pixel_words)) {}
 }

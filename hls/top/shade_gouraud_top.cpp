@@ -1,15 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hls/top/fields.hpp"
+#include "hls/shade/shade_gouraud.hpp"
+
+#include "hls/top/tops.hpp"
 
 using namespace halfspace;
 
-// One stamp, from the caller's TdbS. `background` is 0xrrggbb.
-extern "C" void shade_gouraud_top(int background, const std::int64_t scan[kScanFields],
-                                  const ShadingDatabase<TopFormats>* database, std::int64_t pixel[kPixelFields]) {
+extern "C" void shade_gouraud_top(int red, int green, int blue, const TopShadingDatabase& database, Port<Scan>& scan,
+                                  Port<Pixel>& pixel) {
+  HS_REGISTER_PORT(red)
+  HS_REGISTER_PORT(green)
+  HS_REGISTER_PORT(blue)
+  HS_MEMORY_PORT(database)
+  HS_STREAM_PORT(scan)
+  HS_STREAM_PORT(pixel)
+  HS_STARTED
   using F = TopFormats;
-  Stream<Scan<F>> in;
-  Stream<Pixel<F>> out;
-  in.write(read_fields<Scan<F>>(scan));
-  shade_gouraud(top_frame(F::kWidth, F::kHeight, background), in, *database, out);
-  write_fields(out.read(), pixel);
+  static_assert(!F::kPhong && !F::kHasMotion, "shade_phong and motion_field stand in its place");
+  const Frame<TopFormats> frame = background_frame(red, green, blue);
+  View<Scan> scan_words(scan);
+  View<Pixel> pixel_words(pixel);
+Words:
+  while (!shade_gouraud(frame, scan_words, database, pixel_words)) {}
 }

@@ -1,18 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
-// Of a configuration with Phong shading: HALFSPACE_TOP_CONFIG names it.
 #include "hls/shade/shade_phong.hpp"
-#include "hls/top/fields.hpp"
+
+#include "hls/top/tops.hpp"
 
 using namespace halfspace;
 
-extern "C" void shade_phong_top(int background, const std::int64_t scan[kScanFields],
-                                const NormalDatabase<TopFormats>* database, const LightTable<TopFormats>* lights,
-                                const MaterialTable<TopFormats>* materials, std::int64_t pixel[kPixelFields]) {
+extern "C" void shade_phong_top(int red, int green, int blue, const TopNormalDatabase& database,
+                                const TopLightTable& lights, const TopMaterialTable& materials, Port<Scan>& scan,
+                                Port<Pixel>& pixel) {
+  HS_REGISTER_PORT(red)
+  HS_REGISTER_PORT(green)
+  HS_REGISTER_PORT(blue)
+  HS_MEMORY_PORT(database)
+  HS_MEMORY_PORT(lights)
+  HS_MEMORY_PORT(materials)
+  HS_STREAM_PORT(scan)
+  HS_STREAM_PORT(pixel)
+  HS_STARTED
   using F = TopFormats;
-  static_assert(F::kPhong, "shade_phong is of configurations with Phong shading");
-  Stream<Scan<F>> in;
-  Stream<Pixel<F>> out;
-  in.write(read_fields<Scan<F>>(scan));
-  shade_phong(top_frame(0, 0, background), in, *database, *lights, *materials, out);
-  write_fields(out.read(), pixel);
+  static_assert(F::kPhong, "shade_phong is of Phong shading");
+  const Frame<TopFormats> frame = background_frame(red, green, blue);
+  View<Scan> scan_words(scan);
+  View<Pixel> pixel_words(pixel);
+Words:
+  while (!shade_phong(frame, scan_words, database, lights, materials, pixel_words)) {}
 }

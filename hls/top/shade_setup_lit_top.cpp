@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// shade_setup of a configuration with lighting: HALFSPACE_TOP_CONFIG names it. One word of colours, of the triangle of
-// the attributes.
 #include "hls/setup/shade_setup.hpp"
-#include "hls/top/fields.hpp"
+
+#include "hls/top/tops.hpp"
 
 using namespace halfspace;
 
-extern "C" void shade_setup_lit_top(const std::int64_t attributes[kAttributesFields],
-                                    const std::int64_t colours[kColoursFields], std::int64_t planes[kPlanesFields]) {
+extern "C" void shade_setup_lit_top(Port<Attributes>& attributes, Port<Colours>& colours, Port<Planes>& planes) {
+  HS_STREAM_PORT(attributes)
+  HS_STREAM_PORT(colours)
+  HS_STREAM_PORT(planes)
+  HS_STARTED
   using F = TopFormats;
-  static_assert(F::kHasLighting, "colours come alone in configurations with lighting");
-  Stream<Attributes<F>> in;
-  Stream<Colours<F>> lit;
-  Stream<Planes<F>> out;
-  in.write(read_fields<Attributes<F>>(attributes));
-  lit.write(read_fields<Colours<F>>(colours));
-  shade_setup(in, lit, out);
-  write_fields(out.read(), planes);
+  static_assert(F::kHasLighting && !F::kPhong, "colours come from light_vertex");
+  View<Attributes> attributes_words(attributes);
+  View<Colours> colours_words(colours);
+  View<Planes> planes_words(planes);
+Words:
+  while (!shade_setup(attributes_words, colours_words, planes_words)) {}
 }

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hls/top/fields.hpp"
+#include "hls/setup/shade_setup.hpp"
+
+#include "hls/top/tops.hpp"
 
 using namespace halfspace;
 
-extern "C" void shade_setup_top(const std::int64_t attributes[kAttributesFields], std::int64_t planes[kPlanesFields]) {
+extern "C" void shade_setup_top(Port<Attributes>& attributes, Port<Planes>& planes) {
+  HS_STREAM_PORT(attributes)
+  HS_STREAM_PORT(planes)
+  HS_STARTED
   using F = TopFormats;
-  Stream<Attributes<F>> in;
-  Stream<Planes<F>> out;
-  in.write(read_fields<Attributes<F>>(attributes));
-  shade_setup(in, out);
-  write_fields(out.read(), planes);
+  static_assert(!F::kHasLighting && !F::kHasMotion, "colours come with the attributes");
+  View<Attributes> attributes_words(attributes);
+  View<Planes> planes_words(planes);
+Words:
+  while (!shade_setup(attributes_words, planes_words)) {}
 }

@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
-// Of a configuration with texture: HALFSPACE_TOP_CONFIG names it.
 #include "hls/texture/shade_texture.hpp"
-#include "hls/top/fields.hpp"
+
+#include "hls/top/tops.hpp"
 
 using namespace halfspace;
 
-extern "C" void shade_texture_top(const std::int64_t scan[kScanFields], const std::int64_t lit[kPixelFields],
-                                  const TextureDatabase<TopFormats>* database, const TextureTable<TopFormats>* textures,
-                                  const TextureMemory<TopFormats>* memory, std::int64_t pixel[kPixelFields]) {
+extern "C" void shade_texture_top(const TopTextureDatabase& database, const TopTextureTable& textures,
+                                  const TopTextureMemory& texels, Port<Scan>& scan, Port<Pixel>& lit,
+                                  Port<Pixel>& pixel) {
+  HS_MEMORY_PORT(database)
+  HS_MEMORY_PORT(textures)
+  HS_MEMORY_PORT(texels)
+  HS_STREAM_PORT(scan)
+  HS_STREAM_PORT(lit)
+  HS_STREAM_PORT(pixel)
+  HS_STARTED
   using F = TopFormats;
   static_assert(F::kHasTexture, "shade_texture is of configurations with texture");
-  Stream<Scan<F>> in;
-  Stream<Pixel<F>> before;
-  Stream<Pixel<F>> out;
-  in.write(read_fields<Scan<F>>(scan));
-  before.write(read_fields<Pixel<F>>(lit));
-  shade_texture(in, before, *database, *textures, *memory, out);
-  write_fields(out.read(), pixel);
+  View<Scan> scan_words(scan);
+  View<Pixel> lit_words(lit);
+  View<Pixel> pixel_words(pixel);
+Words:
+  while (!shade_texture(scan_words, lit_words, database, textures, texels, pixel_words)) {}
 }

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// Of a configuration with texture: HALFSPACE_TOP_CONFIG names it. The word of coordinates is not looked at if the
-// attributes are empty.
 #include "hls/texture/texture_setup.hpp"
-#include "hls/top/fields.hpp"
+
+#include "hls/top/tops.hpp"
 
 using namespace halfspace;
 
-extern "C" void texture_setup_top(const std::int64_t attributes[kAttributesFields],
-                                  const std::int64_t coordinates[kTextureCoordinatesFields],
-                                  std::int64_t planes[kTexturePlanesFields]) {
+extern "C" void texture_setup_top(Port<Attributes>& attributes, Port<TextureCoordinates>& coordinates,
+                                  Port<TexturePlanes>& planes) {
+  HS_STREAM_PORT(attributes)
+  HS_STREAM_PORT(coordinates)
+  HS_STREAM_PORT(planes)
+  HS_STARTED
   using F = TopFormats;
   static_assert(F::kHasTexture, "texture_setup is of configurations with texture");
-  Stream<Attributes<F>> in;
-  Stream<TextureCoordinates<F>> given;
-  Stream<TexturePlanes<F>> out;
-  in.write(read_fields<Attributes<F>>(attributes));
-  given.write(read_fields<TextureCoordinates<F>>(coordinates));
-  texture_setup(in, given, out);
-  write_fields(out.read(), planes);
+  View<Attributes> attributes_words(attributes);
+  View<TextureCoordinates> coordinates_words(coordinates);
+  View<TexturePlanes> planes_words(planes);
+Words:
+  while (!texture_setup(attributes_words, coordinates_words, planes_words)) {}
 }

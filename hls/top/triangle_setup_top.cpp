@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hls/top/fields.hpp"
+#include "hls/setup/triangle_setup.hpp"
+
+#include "hls/top/tops.hpp"
 
 using namespace halfspace;
 
-// One triangle. Returns whether `attributes` was sent.
-extern "C" int triangle_setup_top(int width, int height, const std::int64_t triangle[kTriangleFields],
-                                  std::int64_t setup[kSetupFields], std::int64_t attributes[kAttributesFields]) {
-  using F = TopFormats;
-  Stream<Triangle<F>> in;
-  Stream<Setup<F>> out;
-  Stream<Attributes<F>> shade;
-  in.write(read_fields<Triangle<F>>(triangle));
-  triangle_setup(top_frame(width, height, 0), in, out, shade);
-  write_fields(out.read(), setup);
-  const bool sent = !shade.empty();
-  if (sent) write_fields(shade.read(), attributes);
-  return sent;
+extern "C" void triangle_setup_top(int width, int height, Port<Triangle>& triangle, Port<Setup>& setup,
+                                   Port<Attributes>& attributes) {
+  HS_REGISTER_PORT(width)
+  HS_REGISTER_PORT(height)
+  HS_STREAM_PORT(triangle)
+  HS_STREAM_PORT(setup)
+  HS_STREAM_PORT(attributes)
+  HS_STARTED
+  const Frame<TopFormats> frame = top_frame(width, height);
+  View<Triangle> triangle_words(triangle);
+  View<Setup> setup_words(setup);
+  View<Attributes> attributes_words(attributes);
+Words:
+  while (!triangle_setup(frame, triangle_words, setup_words, attributes_words)) {}
 }

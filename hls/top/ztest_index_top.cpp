@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hls/top/fields.hpp"
+#include "hls/ztest/ztest_index.hpp"
+
+#include "hls/top/tops.hpp"
 
 using namespace halfspace;
 
-// The stamps of one triangle, into the caller's buffers.
-extern "C" void ztest_index_top(int count, const std::int64_t stamp[TopFormats::kStamps * kStampFields],
-                                IndexBuffer<TopFormats>* index_buffer, DepthBuffer<TopFormats>* depth_buffer,
-                                std::int64_t visible[kVisibleFields]) {
+extern "C" void ztest_index_top(TopIndexBuffer& index_buffer, TopDepthBuffer& depth_buffer, Port<Stamp>& stamp,
+                                Port<Visible>& visible) {
+  HS_MEMORY_PORT(index_buffer)
+  HS_MEMORY_PORT(depth_buffer)
+  HS_STREAM_PORT(stamp)
+  HS_STREAM_PORT(visible)
+  HS_STARTED
   using F = TopFormats;
-  Stream<Stamp<F>> in;
+  static_assert(!F::kTestsPlanes, "type γ has ztest_plane_top");
+  View<Stamp> stamp_words(stamp);
+  View<Visible> visible_words(visible);
   Probe<Update<F>> update;
-  Stream<Visible<F>> out;
-Stamps:
-  for (int n = 0; n < F::kStamps; ++n) {
-    if (n == count) break;
-    in.write(read_fields<Stamp<F>>(stamp + n * kStampFields));
-  }
-  ztest_index(in, *index_buffer, *depth_buffer, update, out);
-  write_fields(out.read(), visible);
+  ztest_index_frame(stamp_words, index_buffer, depth_buffer, update, visible_words);
 }

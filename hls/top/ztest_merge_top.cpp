@@ -1,35 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hls/objects/ztest_merge.hpp"
 
-#include "hls/top/fields.hpp"
+#include "hls/top/tops.hpp"
 
 using namespace halfspace;
 
-// A run of `count` stamps, the last one of which ends it.
-extern "C" void ztest_merge_top(int count, const std::int64_t merge[kMergeFields],
-                                const std::int64_t stored[TopFormats::kStamps * kEntryFields],
-                                const std::int64_t entry[TopFormats::kStamps * kEntryFields],
-                                std::int64_t merged[TopFormats::kStamps * kEntryFields],
-                                std::int64_t found[kFoundFields]) {
+extern "C" void ztest_merge_top(Port<Merge>& merge, Port<Entry>& stored, Port<Entry>& entry, Port<Entry>& merged,
+                                Port<Found>& found) {
+  HS_STREAM_PORT(merge)
+  HS_STREAM_PORT(stored)
+  HS_STREAM_PORT(entry)
+  HS_STREAM_PORT(merged)
+  HS_STREAM_PORT(found)
+  HS_STARTED
   using F = TopFormats;
-  Stream<Merge<F>> run;
-  Stream<Entry<F>> in;
-  Stream<Entry<F>> drawn;
-  Stream<Entry<F>> out;
-  Stream<Found<F>> result;
-  const Merge<F> command = read_fields<Merge<F>>(merge);
-  run.write(command);
-Stamps:
-  for (int n = 0; n < F::kStamps; ++n) {
-    if (n == count) break;
-    in.write(read_fields<Entry<F>>(stored + n * kEntryFields));
-    if (raw(command.merges)) drawn.write(read_fields<Entry<F>>(entry + n * kEntryFields));
-  }
-  ztest_merge(run, in, drawn, out, result);
-Merged:
-  for (int n = 0; n < F::kStamps; ++n) {
-    if (n == count || !raw(command.sends)) break;
-    write_fields(out.read(), merged + n * kEntryFields);
-  }
-  write_fields(result.read(), found);
+  static_assert(F::kHasObjects, "ztest_merge is of configurations with objects");
+  View<Merge> merge_words(merge);
+  View<Entry> stored_words(stored);
+  View<Entry> entry_words(entry);
+  View<Entry> merged_words(merged);
+  View<Found> found_words(found);
+  ztest_merge(merge_words, stored_words, entry_words, merged_words, found_words);
 }

@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hls/top/fields.hpp"
+#include "hls/ztest/ztest_plane.hpp"
+
+#include "hls/top/tops.hpp"
 
 using namespace halfspace;
 
-// The stamps of one triangle, into the caller's I-buffer and TdbV: the Z-test of type γ.
-extern "C" void ztest_plane_top(int count, const std::int64_t stamp[TopFormats::kStamps * kStampFields],
-                                const std::int64_t depth_plane[kTriangleDepthFields],
-                                IndexBuffer<TopFormats>* index_buffer, VisibilityDatabase<TopFormats>* database,
-                                std::int64_t visible[kVisibleFields]) {
+extern "C" void ztest_plane_top(TopIndexBuffer& index_buffer, TopVisibilityDatabase& database, Port<Stamp>& stamp,
+                                Port<TriangleDepth>& depth_plane, Port<Visible>& visible) {
+  HS_MEMORY_PORT(index_buffer)
+  HS_MEMORY_PORT(database)
+  HS_STREAM_PORT(stamp)
+  HS_STREAM_PORT(depth_plane)
+  HS_STREAM_PORT(visible)
+  HS_STARTED
   using F = TopFormats;
-  Stream<Stamp<F>> in;
-  Stream<TriangleDepth<F>> depth;
+  static_assert(F::kTestsPlanes, "ztest_plane is of type γ");
+  View<Stamp> stamp_words(stamp);
+  View<TriangleDepth> depth_plane_words(depth_plane);
+  View<Visible> visible_words(visible);
   Probe<Update<F>> update;
-  Stream<Visible<F>> out;
   Probe<PlaneTests> tests;
-  depth.write(read_fields<TriangleDepth<F>>(depth_plane));
-Stamps:
-  for (int n = 0; n < F::kStamps; ++n) {
-    if (n == count) break;
-    in.write(read_fields<Stamp<F>>(stamp + n * kStampFields));
-  }
-  ztest_plane(in, depth, *index_buffer, *database, update, out, tests);
-  write_fields(out.read(), visible);
+Words:
+  while (!ztest_plane(stamp_words, depth_plane_words, index_buffer, database, update, visible_words, tests)) {}
 }

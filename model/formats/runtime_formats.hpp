@@ -19,7 +19,7 @@ namespace halfspace {
 constexpr FormatTable kRuntimeSigns = format_table(Config{});
 
 template <class S>
-struct RuntimeFormats : StampConstants<S> {
+struct RuntimeFormats : StampConstants<S>, FlagFormats<Fixed> {
 #define HS_FLAG(Type, Name, function) static inline thread_local Type k##Name;
 #define HS_CONSTANT(Name, field) static inline thread_local decltype(Config::field) k##Name;
 #define HS_COMPILES(Unit, Name) using Compiles##Unit = std::true_type;

@@ -62,6 +62,28 @@ std::vector<KeyBlock<F, N>> key_memory(const KeyFrame& key) {
   return memory;
 }
 
+// It answers at once. Tiles that the caches fetch are counted, whether or not the streams are recorded.
+template <int N>
+struct AskedMemory {
+  AskedMemory(const KeyFrame& key, Probe<KeyBlock<F, N>>& probe)
+      : blocks(key_memory<N>(key)), tiles_x((key.width + kKeyTile - 1) / kKeyTile), probe(probe) {}
+
+  void request(const KeyRequest<F>& tile) {
+    requests.push_back(tile);
+    at = std::size_t((int(raw(tile.tile_y)) * tiles_x + int(raw(tile.tile_x))) * blocks_a_tile(N));
+  }
+  KeyBlock<F, N> read() {
+    probe.write(blocks[at]);
+    return blocks[at++];
+  }
+
+  std::vector<KeyBlock<F, N>> blocks;
+  int tiles_x;
+  Probe<KeyBlock<F, N>>& probe;
+  std::vector<KeyRequest<F>> requests;
+  std::size_t at = 0;
+};
+
 Motion<F> motion_record(const RawMotion& in, bool last) {
   Motion<F> out{};
   out.last = from_raw<Bit>(last);
@@ -126,34 +148,29 @@ CompensatedFrame compensate(const CompensationInput& input, const Config& config
   frame.height = from_raw<F::Y>(input.height);
   frame.weight = from_raw<F::KeyWeight>(input.weight);
   const KeyWeights<F> weights;
-  const std::vector<KeyBlock<F, N>> memory[kKeys] = {key_memory<N>(*input.key[0]), key_memory<N>(*input.key[1])};
   const auto caches = std::make_unique<std::array<KeyCache<F, N>, kKeys>>();
   CompensateStreams<N> s;
   std::optional<Recorder> recorder;
   if (streams) recorder.emplace(s);
   s.key_weight.words.push_back({frame.weight});
-  // Tiles that the caches fetch: they are counted, whether or not the streams are recorded.
-  Probe<KeyRequest<F>> fetch[kKeys];
-  std::vector<KeyRequest<F>> requests[kKeys];
-  for (int k = 0; k < kKeys; ++k) fetch[k].tap(&requests[k]);
+  AskedMemory<N> memory_0{*input.key[0], s.key_block_0}, memory_1{*input.key[1], s.key_block_1};
   CompensatedFrame result;
   for (std::size_t n = 0; n < motion.size(); ++n) {
-    const std::size_t before[kKeys] = {requests[0].size(), requests[1].size()};
+    const std::size_t before[kKeys] = {memory_0.requests.size(), memory_1.requests.size()};
     s.motion.write(motion_record(motion[n], n + 1 == motion.size()));
-    motion_compensate<F, N>(frame, weights, (*caches)[0], (*caches)[1], memory[0], memory[1], s.motion, fetch[0],
-                            s.key_block_0, fetch[1], s.key_block_1, s.compensated);
+    motion_compensate<F, N>(frame, weights, (*caches)[0], (*caches)[1], memory_0, memory_1, s.motion, s.compensated);
     const Compensated<F> pixel = s.compensated.read();
     result.pixels.push_back({int(raw(pixel.x)),
                              int(raw(pixel.y)),
                              {std::uint8_t(raw(pixel.r)), std::uint8_t(raw(pixel.g)), std::uint8_t(raw(pixel.b))},
                              int(raw(pixel.keys))});
-    result.fills += std::max(requests[0].size() - before[0], requests[1].size() - before[1]);
+    result.fills += std::max(memory_0.requests.size() - before[0], memory_1.requests.size() - before[1]);
   }
-  result.misses = {requests[0].size(), requests[1].size()};
+  result.misses = {memory_0.requests.size(), memory_1.requests.size()};
   const std::size_t latency = config.filter == KeyFilter::kNearest ? 9 : 15;
   result.cycles = motion.size() + (1 + blocks_a_tile(N)) * result.fills + latency;
-  for (const KeyRequest<F>& word : requests[0]) s.key_request_0.write(word);
-  for (const KeyRequest<F>& word : requests[1]) s.key_request_1.write(word);
+  for (const KeyRequest<F>& word : memory_0.requests) s.key_request_0.write(word);
+  for (const KeyRequest<F>& word : memory_1.requests) s.key_request_1.write(word);
   if (streams) *streams = recorder->words();
   return result;
 }

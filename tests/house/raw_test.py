@@ -15,8 +15,8 @@ FREE = ("numbers", "top")
 USES = {
     "formats/buffers.hpp": 2,
     "formats/lanes.hpp": 1,
-    "motion/key_cache.hpp": 4,
-    "motion/key_place.hpp": 3,
+    "motion/key_cache.hpp": 2,
+    "motion/key_place.hpp": 2,
     "motion/motion_field.hpp": 6,
     "objects/scan_object.hpp": 1,
     "raster/raster_pineda.hpp": 5,

@@ -1,9 +1,5 @@
-# motion_compensate: its top in three configurations, its bench with each filter, without stalls to the cycle, and
+# motion_compensate: its bench with each filter, without stalls to the cycle, and
 # faults in it.
-foreach(config IN ITEMS MotionLow MotionMiddle MotionHigh)
-  halfspace_tops_test(compensate_tops_test_${config} compensate_tops_test.cpp ${config} motion/motion_configs.hpp
-                      UNITS motion_compensate TOPS motion_compensate)
-endforeach()
 set(configs motion_low motion_middle motion_high motion_area motion_cubic motion_tiny)
 foreach(config IN LISTS configs)
   halfspace_cosim_file(motion_compensate ${config} 4 compensation)

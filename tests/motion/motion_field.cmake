@@ -1,9 +1,5 @@
-# The motion field: the tops, units and pipeline of the RTL against the kernels on corner cases, random triangles and
+# The motion field: units and pipeline of the RTL against the kernels on corner cases, random triangles and
 # places, and on scenes; lint, faults, and what Yosys finds.
-foreach(config IN ITEMS MotionLow MotionMiddle)
-  halfspace_tops_test(motion_field_tops_test_${config} motion_field_tops_test.cpp ${config} motion/motion_configs.hpp
-                      UNITS motion_setup motion_field TOPS motion_setup motion_field)
-endforeach()
 halfspace_units_file(motion_low 1 motion_setup motion_field)
 halfspace_units_file(motion_middle 4 motion_setup motion_field)
 halfspace_units_file(motion_high 16 motion_setup motion_field)

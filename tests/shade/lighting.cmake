@@ -1,9 +1,5 @@
-# Configurations with lighting (lit_configs.hpp, configs/lit): the tops, units and pipeline of the RTL against
+# Configurations with lighting (lit_configs.hpp, configs/lit): units and pipeline of the RTL against
 # the kernels on corner cases, random triangles and normals and on scenes, lint, and what Yosys finds.
-foreach(config IN ITEMS LitHigh LitMatte)
-  halfspace_tops_test(light_tops_test_${config} light_tops_test.cpp ${config} shade/lit_configs.hpp
-                      UNITS light_vertex visible_select shade_setup TOPS light_vertex visible_select shade_setup_lit)
-endforeach()
 set(configs lit_low lit_middle lit_high lit_matte)
 foreach(config IN LISTS configs)
   halfspace_units_file(${config} 4 triangle_setup visible_select light_vertex shade_setup)

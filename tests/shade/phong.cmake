@@ -1,6 +1,4 @@
-# Phong shading: the tops, and its units against the kernels.
-halfspace_tops_test(phong_tops_test phong_tops_test.cpp PhongLow shade/lit_configs.hpp
-                    UNITS phong_setup shade_phong TOPS phong_setup shade_phong)
+# Phong shading: its units against the kernels.
 set(units triangle_setup visible_select phong_setup shade_phong)
 halfspace_units_file(phong_low 1 ${units})
 halfspace_units_file(phong_low 4 ${units})

@@ -7,8 +7,8 @@
 
 namespace halfspace {
 
-using Bit = ufix<1, 1>;
-using VertexNumber = ufix<2, 2>;  // 0 … 2
+using Bit = FlagFormats<Fixed>::Bit;
+using VertexNumber = FlagFormats<Fixed>::VertexNumber;
 
 // Of a pixel that shows the background: 2^b − 1.
 template <class F>
@@ -26,7 +26,8 @@ struct Frame {
 
 // The colours of a triangle: of its vertices, or one.
 template <class F, class V>
-void visit_colours(V&& v, typename F::Colour (&r)[3], typename F::Colour (&g)[3], typename F::Colour (&b)[3]) {
+HS_INLINE constexpr void visit_colours(V&& v, typename F::Colour (&r)[3], typename F::Colour (&g)[3],
+                                       typename F::Colour (&b)[3]) {
   if (F::kGouraud) {
     v("r0", r[0]), v("r1", r[1]), v("r2", r[2]);
     v("g0", g[0]), v("g1", g[1]), v("g2", g[2]);

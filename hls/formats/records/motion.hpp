@@ -17,7 +17,7 @@ constexpr int kKeys = 2;
 //   affine        s = 2^b·u_x,  t = 2^b·u_y, rounded, 2^b − 1 at most
 template <class F>
 struct KeyPlaces {
-  Bit there;  // the triangle has a place in the key frame; else the rest means nothing
+  typename F::Bit there;  // the triangle has a place in the key frame; else the rest means nothing
   typename F::Origin origin_x, origin_y;
   typename F::Extent extent;  // e
   typename F::Coordinate s[3], t[3], q[3];
@@ -28,13 +28,13 @@ struct KeyPlaces {
 // geometry → motion_setup, with F::kHasMotion, in answer to a Visible that says so.
 template <class F>
 struct MotionVectors {
-  Bit last;
+  typename F::Bit last;
   typename F::Index index;
   typename F::Face face;
   KeyPlaces<F> key[kKeys];
 
   template <class V>
-  void visit(V&& v) {
+  HS_INLINE constexpr void visit(V&& v) {
     v("last", last), v("index", index), v("face", face);
     visit_key(v, key[0], kNames[0]);
     visit_key(v, key[1], kNames[1]);
@@ -48,7 +48,7 @@ struct MotionVectors {
       {"there_1", "origin_x_1", "origin_y_1", "extent_1", "s0_1", "s1_1", "s2_1", "t0_1", "t1_1", "t2_1", "q0_1",
        "q1_1",    "q2_1",       "r0_1",       "r1_1",     "r2_1", "g0_1", "g1_1", "g2_1", "b0_1", "b1_1", "b2_1"}};
   template <class V>
-  static void visit_key(V&& v, KeyPlaces<F>& k, Names& n) {
+  HS_INLINE static constexpr void visit_key(V&& v, KeyPlaces<F>& k, Names& n) {
     v(n[0], k.there), v(n[1], k.origin_x), v(n[2], k.origin_y), v(n[3], k.extent);
     v(n[4], k.s[0]), v(n[5], k.s[1]), v(n[6], k.s[2]);
     v(n[7], k.t[0]), v(n[8], k.t[1]), v(n[9], k.t[2]);
@@ -65,7 +65,7 @@ constexpr typename MotionVectors<F>::Names MotionVectors<F>::kNames[kKeys];
 // Planes of the same, each at the centre of pixel (0, 0) of the frame, ½ included.
 template <class F>
 struct KeyPlanes {
-  Bit there;
+  typename F::Bit there;
   typename F::Origin origin_x, origin_y;
   typename F::Extent extent;
   typename F::CoordinatePlane start[3];  // s, t, q
@@ -77,14 +77,14 @@ struct KeyPlanes {
 // motion_setup → TdbS, with F::kHasMotion: the entry of triangle `index`.
 template <class F>
 struct MotionPlanes {
-  Bit last;
-  Bit empty;  // nothing to store
+  typename F::Bit last;
+  typename F::Bit empty;  // nothing to store
   typename F::Index index;
   typename F::Face face;
   KeyPlanes<F> key[kKeys];
 
   template <class V>
-  void visit(V&& v) {
+  HS_INLINE constexpr void visit(V&& v) {
     v("last", last), v("empty", empty), v("index", index), v("face", face);
     visit_key(v, key[0], kNames[0]);
     visit_key(v, key[1], kNames[1]);
@@ -100,7 +100,7 @@ struct MotionPlanes {
        "t_dx_1",  "t_dy_1",     "q_1",        "q_dx_1",   "q_dy_1", "r_1",    "r_dx_1", "r_dy_1",
        "g_1",     "g_dx_1",     "g_dy_1",     "b_1",      "b_dx_1", "b_dy_1"}};
   template <class V>
-  static void visit_key(V&& v, KeyPlanes<F>& k, Names& n) {
+  HS_INLINE static constexpr void visit_key(V&& v, KeyPlanes<F>& k, Names& n) {
     v(n[0], k.there), v(n[1], k.origin_x), v(n[2], k.origin_y), v(n[3], k.extent);
     v(n[4], k.start[0]), v(n[5], k.dx[0]), v(n[6], k.dy[0]);
     v(n[7], k.start[1]), v(n[8], k.dx[1]), v(n[9], k.dy[1]);
@@ -118,7 +118,7 @@ constexpr typename MotionPlanes<F>::Names MotionPlanes<F>::kNames[kKeys];
 // way from its centre to the place of the same point there.
 template <class F>
 struct KeyVector {
-  Bit there;  // 0: the point has no place in the key frame, or the vector does not fit, and is 0
+  typename F::Bit there;  // 0: the point has no place in the key frame, or the vector does not fit, and is 0
   typename F::Vector x, y;
   typename F::Difference r, g, b;  // F::kRelights: colour in between less that at the key, plus 2^c, in units of 2^−d
 };
@@ -127,14 +127,14 @@ struct KeyVector {
 // ends with a word of face 0.
 template <class F>
 struct Motion {
-  Bit last;
+  typename F::Bit last;
   typename F::X x;  // in pixels
   typename F::Y y;
   typename F::Face face;
   KeyVector<F> key[kKeys];
 
   template <class V>
-  void visit(V&& v) {
+  HS_INLINE constexpr void visit(V&& v) {
     v("last", last), v("x", x), v("y", y), v("face", face);
     v("there_0", key[0].there), v("vx_0", key[0].x), v("vy_0", key[0].y);
     if (F::kRelights) v("r_0", key[0].r), v("g_0", key[0].g), v("b_0", key[0].b);

@@ -18,7 +18,7 @@ struct TriangleDepth {
   typename F::DepthGradient depth_dx, depth_dy;
 
   template <class V>
-  void visit(V&& v) {
+  HS_INLINE constexpr void visit(V&& v) {
     v("index", index), v("x", x), v("y", y);
     v("depth", depth), v("depth_dx", depth_dx), v("depth_dy", depth_dy);
   }
@@ -28,16 +28,16 @@ struct TriangleDepth {
 // sends one with an empty mask, for the end of the triangle.
 template <class F>
 struct Stamp {
-  Bit mask[F::kLanes];
+  typename F::Bit mask[F::kLanes];
   typename F::Depth depth[F::kLanes];  // of the plane, also where the mask is 0 and it means nothing
-  Bit last;                            // of the frame
-  Bit triangle_last;                   // of the triangle
+  typename F::Bit last;                // of the frame
+  typename F::Bit triangle_last;       // of the triangle
   typename F::Index index;
   typename F::X x;  // in stamps
   typename F::Y y;
 
   template <class V>
-  void visit(V&& v) {
+  HS_INLINE constexpr void visit(V&& v) {
     v("last", last), v("triangle_last", triangle_last), v("index", index), v("x", x), v("y", y);
     v.lanes("mask", mask);
     if (F::kHasDepth) v.lanes("depth", depth);
@@ -55,14 +55,14 @@ struct PlaneTests {
 // The Z-test → I-buffer and Z-buffer, if there is one: a write, of a stamp of which a fragment passed.
 template <class F>
 struct Update {
-  Bit mask[F::kLanes];  // lanes that passed
+  typename F::Bit mask[F::kLanes];  // lanes that passed
   typename F::Depth depth[F::kLanes];
   typename F::Index index;
   typename F::X x;  // in stamps
   typename F::Y y;
 
   template <class V>
-  void visit(V&& v) {
+  HS_INLINE constexpr void visit(V&& v) {
     v("index", index), v("x", x), v("y", y);
     v.lanes("mask", mask);
     if (F::kStoresDepth) v.lanes("depth", depth);
@@ -72,12 +72,12 @@ struct Update {
 // The Z-test → geometry: a triangle is done, and a fragment of it passed or none did.
 template <class F>
 struct Visible {
-  Bit last;
-  Bit visible;
+  typename F::Bit last;
+  typename F::Bit visible;
   typename F::Index index;
 
   template <class V>
-  void visit(V&& v) {
+  HS_INLINE constexpr void visit(V&& v) {
     v("last", last), v("visible", visible), v("index", index);
   }
 };

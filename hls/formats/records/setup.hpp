@@ -11,7 +11,7 @@ namespace halfspace {
 // `last` for a frame without triangles.
 template <class F>
 struct Triangle {
-  Bit last;  // of the frame
+  typename F::Bit last;  // of the frame
   typename F::Index index;
   typename F::Object object;  // that the triangle is of; not 0
   typename F::Coord x[3], y[3];
@@ -19,7 +19,7 @@ struct Triangle {
   typename F::Colour r[3], g[3], b[3];  // flat: at [0]
 
   template <class V>
-  void visit(V&& v) {
+  HS_INLINE constexpr void visit(V&& v) {
     v("last", last), v("index", index);
     if (F::kHasObjects) v("object", object);
     v("x0", x[0]), v("x1", x[1]), v("x2", x[2]);
@@ -32,8 +32,9 @@ struct Triangle {
 // triangle_setup → raster_pineda, one a triangle. Positions in stamps.
 template <class F>
 struct Setup {
-  Bit last;
-  Bit empty;  // no pixel centre of the frame lies in the bounding box, or the area is zero; the rest then means nothing
+  typename F::Bit last;
+  typename F::Bit
+      empty;  // no pixel centre of the frame lies in the bounding box, or the area is zero; the rest then means nothing
   typename F::Index index;
   typename F::X x_min, x_max, x_start;  // bounding box in the frame; where to look first in its top row
   typename F::Y y_min, y_max;
@@ -44,7 +45,7 @@ struct Setup {
   typename F::DepthGradient depth_dx, depth_dy;
 
   template <class V>
-  void visit(V&& v) {
+  HS_INLINE constexpr void visit(V&& v) {
     v("last", last), v("empty", empty), v("index", index);
     v("x_min", x_min), v("x_max", x_max), v("x_start", x_start);
     v("y_min", y_min), v("y_max", y_max);
@@ -61,8 +62,8 @@ struct Setup {
 // texture_setup.
 template <class F>
 struct Attributes {
-  Bit last;
-  Bit empty;
+  typename F::Bit last;
+  typename F::Bit empty;
   typename F::Index index;
   typename F::Coord x, y;  // vertex 0
   typename F::Delta dx1, dy1, dx2, dy2;
@@ -70,12 +71,12 @@ struct Attributes {
   typename F::Reciprocal reciprocal;
   // Where values of the vertices come later: which vertex, as given, vertex 0 is; and whether the other two follow it
   // backwards.
-  VertexNumber first;
-  Bit turned;
+  typename F::VertexNumber first;
+  typename F::Bit turned;
   typename F::Colour r[3], g[3], b[3];  // flat: at [0]
 
   template <class V>
-  void visit(V&& v) {
+  HS_INLINE constexpr void visit(V&& v) {
     v("last", last), v("empty", empty), v("index", index);
     if (F::kSendsShape) {
       v("x", x), v("y", y);

@@ -10,8 +10,8 @@ namespace halfspace {
 // shade_setup → TdbS, the triangle database for shading: the entry of triangle `index`.
 template <class F>
 struct Planes {
-  Bit last;
-  Bit empty;  // nothing to store
+  typename F::Bit last;
+  typename F::Bit empty;  // nothing to store
   typename F::Index index;
   typename F::ColourPlane r;  // at the centre of pixel (0, 0) of the frame, ½ included; flat: the colour
   typename F::ColourGradient r_dx, r_dy;
@@ -21,7 +21,7 @@ struct Planes {
   typename F::ColourGradient b_dx, b_dy;
 
   template <class V>
-  void visit(V&& v) {
+  HS_INLINE constexpr void visit(V&& v) {
     v("last", last), v("empty", empty), v("index", index);
     v("r", r);
     if (F::kGouraud) v("r_dx", r_dx), v("r_dy", r_dy);
@@ -36,15 +36,15 @@ struct Planes {
 // it has no sign.
 template <class F>
 struct NormalPlanes {
-  Bit last;
-  Bit empty;  // nothing to store
+  typename F::Bit last;
+  typename F::Bit empty;  // nothing to store
   typename F::Index index;
   typename F::MaterialNumber material;
   typename F::NormalPlane start[3];  // x, y, z at the centre of pixel (0, 0) of the frame, ½ included
   typename F::NormalGradient dx[3], dy[3];
 
   template <class V>
-  void visit(V&& v) {
+  HS_INLINE constexpr void visit(V&& v) {
     v("last", last), v("empty", empty), v("index", index), v("material", material);
     v("x", start[0]), v("x_dx", dx[0]), v("x_dy", dy[0]);
     v("y", start[1]), v("y_dx", dx[1]), v("y_dy", dy[1]);
@@ -59,7 +59,7 @@ struct Light {
   typename F::Direction to_light[3], half[3];
 
   template <class V>
-  void visit(V&& v) {
+  HS_INLINE constexpr void visit(V&& v) {
     v("light", light);
     v("x", to_light[0]), v("y", to_light[1]), v("z", to_light[2]);
     if (F::kHasGloss) v("half_x", half[0]), v("half_y", half[1]), v("half_z", half[2]);
@@ -76,7 +76,7 @@ struct Material {
   typename F::Coefficient base[3], diffuse[3], specular[3];
 
   template <class V>
-  void visit(V&& v) {
+  HS_INLINE constexpr void visit(V&& v) {
     v("material", material), v("light", light);
     if (F::kHasGloss) v("gloss", gloss);
     v("base_r", base[0]), v("base_g", base[1]), v("base_b", base[2]);
@@ -89,13 +89,13 @@ struct Material {
 // in the order given, of any length; one of length 0 shows the base alone. `last` and `index` are those of the Visible.
 template <class F>
 struct Normals {
-  Bit last;
+  typename F::Bit last;
   typename F::Index index;
   typename F::MaterialNumber material;
   typename F::Normal x[3], y[3], z[3];  // flat: one, at [0]
 
   template <class V>
-  void visit(V&& v) {
+  HS_INLINE constexpr void visit(V&& v) {
     v("last", last), v("index", index), v("material", material);
     v("x0", x[0]), v("y0", y[0]), v("z0", z[0]);
     if (F::kShadesPlanes) v("x1", x[1]), v("y1", y[1]), v("z1", z[1]), v("x2", x[2]), v("y2", y[2]), v("z2", z[2]);
@@ -105,12 +105,12 @@ struct Normals {
 // light_vertex → shade_setup: the colours of a triangle.
 template <class F>
 struct Colours {
-  Bit last;
+  typename F::Bit last;
   typename F::Index index;
   typename F::Colour r[3], g[3], b[3];  // flat: at [0]
 
   template <class V>
-  void visit(V&& v) {
+  HS_INLINE constexpr void visit(V&& v) {
     v("last", last), v("index", index);
     visit_colours<F>(v, r, g, b);
   }
@@ -120,12 +120,12 @@ struct Colours {
 template <class F>
 struct Scan {
   typename F::Index index[F::kLanes];  // lanes outside the frame: 0
-  Bit last;
+  typename F::Bit last;
   typename F::X x;  // in stamps
   typename F::Y y;
 
   template <class V>
-  void visit(V&& v) {
+  HS_INLINE constexpr void visit(V&& v) {
     v("last", last), v("x", x), v("y", y);
     v.lanes("index", index);
   }
@@ -135,12 +135,12 @@ struct Scan {
 template <class F>
 struct Pixel {
   typename F::Colour r[F::kLanes], g[F::kLanes], b[F::kLanes];
-  Bit last;
+  typename F::Bit last;
   typename F::X x;  // in stamps
   typename F::Y y;
 
   template <class V>
-  void visit(V&& v) {
+  HS_INLINE constexpr void visit(V&& v) {
     v("last", last), v("x", x), v("y", y);
     v.lanes("r", r), v.lanes("g", g), v.lanes("b", b);
   }

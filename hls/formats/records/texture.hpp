@@ -14,14 +14,14 @@ namespace halfspace {
 //   affine        s = 2^b·u′/2^e,  t = 2^b·v′/2^e, rounded, 2^b − 1 at most
 template <class F>
 struct TextureCoordinates {
-  Bit last;
+  typename F::Bit last;
   typename F::Index index;
   typename F::TextureNumber texture;  // 0: none, and the rest means nothing
   typename F::Repeats repeats;        // e
   typename F::Coordinate s[3], t[3], q[3];
 
   template <class V>
-  void visit(V&& v) {
+  HS_INLINE constexpr void visit(V&& v) {
     v("last", last), v("index", index), v("texture", texture), v("repeats", repeats);
     v("s0", s[0]), v("s1", s[1]), v("s2", s[2]);
     v("t0", t[0]), v("t1", t[1]), v("t2", t[2]);
@@ -32,8 +32,8 @@ struct TextureCoordinates {
 // texture_setup → TdbS, with F::kHasTexture: the entry of triangle `index`.
 template <class F>
 struct TexturePlanes {
-  Bit last;
-  Bit empty;  // nothing to store
+  typename F::Bit last;
+  typename F::Bit empty;  // nothing to store
   typename F::Index index;
   typename F::TextureNumber texture;
   typename F::Repeats repeats;
@@ -41,7 +41,7 @@ struct TexturePlanes {
   typename F::CoordinateGradient dx[3], dy[3];
 
   template <class V>
-  void visit(V&& v) {
+  HS_INLINE constexpr void visit(V&& v) {
     v("last", last), v("empty", empty), v("index", index), v("texture", texture), v("repeats", repeats);
     v("s", start[0]), v("s_dx", dx[0]), v("s_dy", dy[0]);
     v("t", start[1]), v("t_dx", dx[1]), v("t_dy", dy[1]);
@@ -58,7 +58,7 @@ struct TextureEntry {
   typename F::Side log2_width, log2_height;
 
   template <class V>
-  void visit(V&& v) {
+  HS_INLINE constexpr void visit(V&& v) {
     v("texture", texture), v("base", base), v("log2_width", log2_width), v("log2_height", log2_height);
   }
 };
@@ -72,7 +72,7 @@ struct Texel {
   typename F::Colour r, g, b;
 
   template <class V>
-  void visit(V&& v) {
+  HS_INLINE constexpr void visit(V&& v) {
     v("address", address), v("r", r), v("g", g), v("b", b);
   }
 };

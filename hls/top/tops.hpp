@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// The tops, in the order of the pipeline. A configuration has those of its units; a source that it has no use for does
+// not compile with it.
+#ifndef HALFSPACE_HLS_TOP_TOPS_HPP_
+#define HALFSPACE_HLS_TOP_TOPS_HPP_
+
+#include "hls/top/ports.hpp"
+
+extern "C" {
+
+// A frame of triangles.
+void triangle_setup_top(int width, int height, halfspace::Port<halfspace::Triangle>& triangle,
+                        halfspace::Port<halfspace::Setup>& setup, halfspace::Port<halfspace::Attributes>& attributes);
+
+// A frame of setups to stamps.
+void raster_pineda_top(int width, int height, halfspace::Port<halfspace::Setup>& setup,
+                       halfspace::Port<halfspace::Stamp>& stamp);
+
+// The same for a Z-test that needs depth planes, of type γ.
+void raster_pineda_plane_top(int width, int height, halfspace::Port<halfspace::Setup>& setup,
+                             halfspace::Port<halfspace::Stamp>& stamp,
+                             halfspace::Port<halfspace::TriangleDepth>& depth_plane);
+
+// A frame of stamps into the I-buffer and the Z-buffer.
+void ztest_index_top(halfspace::TopIndexBuffer& index_buffer, halfspace::TopDepthBuffer& depth_buffer,
+                     halfspace::Port<halfspace::Stamp>& stamp, halfspace::Port<halfspace::Visible>& visible);
+
+// A frame of stamps into the I-buffer and TdbV.
+void ztest_plane_top(halfspace::TopIndexBuffer& index_buffer, halfspace::TopVisibilityDatabase& database,
+                     halfspace::Port<halfspace::Stamp>& stamp, halfspace::Port<halfspace::TriangleDepth>& depth_plane,
+                     halfspace::Port<halfspace::Visible>& visible);
+
+// The attributes of a frame, of which those of visible triangles go on.
+void visible_select_top(halfspace::Port<halfspace::Attributes>& attributes, halfspace::Port<halfspace::Visible>& tested,
+                        halfspace::Port<halfspace::Visible>& visible, halfspace::Port<halfspace::Attributes>& passed);
+
+// A frame of attributes to planes of colour.
+void shade_setup_top(halfspace::Port<halfspace::Attributes>& attributes, halfspace::Port<halfspace::Planes>& planes);
+
+// The same of colours from light_vertex.
+void shade_setup_lit_top(halfspace::Port<halfspace::Attributes>& attributes,
+                         halfspace::Port<halfspace::Colours>& colours, halfspace::Port<halfspace::Planes>& planes);
+
+// A triangle a start: normals come for visible triangles alone, so no word is known to be the last.
+void light_vertex_top(const halfspace::TopLightTable& lights, const halfspace::TopMaterialTable& materials,
+                      halfspace::Port<halfspace::Normals>& normals, halfspace::Port<halfspace::Colours>& colours);
+
+// A frame of attributes and normals to planes of normals.
+void phong_setup_top(halfspace::Port<halfspace::Attributes>& attributes, halfspace::Port<halfspace::Normals>& normals,
+                     halfspace::Port<halfspace::NormalPlanes>& planes);
+
+// A frame of attributes and coordinates to planes of coordinates.
+void texture_setup_top(halfspace::Port<halfspace::Attributes>& attributes,
+                       halfspace::Port<halfspace::TextureCoordinates>& coordinates,
+                       halfspace::Port<halfspace::TexturePlanes>& planes);
+
+// A frame of attributes and places to planes of places.
+void motion_setup_top(halfspace::Port<halfspace::Attributes>& attributes,
+                      halfspace::Port<halfspace::MotionVectors>& vectors,
+                      halfspace::Port<halfspace::MotionPlanes>& planes);
+
+// A frame from the I-buffer, which it clears.
+void scan_index_top(int width, int height, halfspace::TopIndexBuffer& index_buffer,
+                    halfspace::Port<halfspace::Scan>& scan);
+
+// A frame of stamps to colours.
+void shade_gouraud_top(int red, int green, int blue, const halfspace::TopShadingDatabase& database,
+                       halfspace::Port<halfspace::Scan>& scan, halfspace::Port<halfspace::Pixel>& pixel);
+
+// A frame of stamps to colours, a pixel lit at a time.
+void shade_phong_top(int red, int green, int blue, const halfspace::TopNormalDatabase& database,
+                     const halfspace::TopLightTable& lights, const halfspace::TopMaterialTable& materials,
+                     halfspace::Port<halfspace::Scan>& scan, halfspace::Port<halfspace::Pixel>& pixel);
+
+// A frame of stamps and their colours to textured ones.
+void shade_texture_top(const halfspace::TopTextureDatabase& database, const halfspace::TopTextureTable& textures,
+                       const halfspace::TopTextureMemory& texels, halfspace::Port<halfspace::Scan>& scan,
+                       halfspace::Port<halfspace::Pixel>& lit, halfspace::Port<halfspace::Pixel>& pixel);
+
+// A frame of stamps to depths and objects.
+void scan_object_top(halfspace::TopDepthBuffer& depth_buffer, const halfspace::TopObjectTable& objects,
+                     halfspace::Port<halfspace::Scan>& scan, halfspace::Port<halfspace::ObjectPixel>& object_pixel);
+
+// A frame of stamps to motion vectors.
+void motion_field_top(const halfspace::TopMotionDatabase& database, halfspace::Port<halfspace::Scan>& scan,
+                      halfspace::Port<halfspace::Motion>& motion);
+
+// A run: a word of `merge`, and stamps up to the last.
+void ztest_merge_top(halfspace::Port<halfspace::Merge>& merge, halfspace::Port<halfspace::Entry>& stored,
+                     halfspace::Port<halfspace::Entry>& entry, halfspace::Port<halfspace::Entry>& merged,
+                     halfspace::Port<halfspace::Found>& found);
+
+// A frame of motion vectors to colours, along them from the key frames, whose tiles it asks for.
+void motion_compensate_top(int width, int height, int weight, halfspace::Port<halfspace::Motion>& motion,
+                           halfspace::Port<halfspace::KeyRequest>& key_request_0,
+                           halfspace::Port<halfspace::TopKeyBlock>& key_block_0,
+                           halfspace::Port<halfspace::KeyRequest>& key_request_1,
+                           halfspace::Port<halfspace::TopKeyBlock>& key_block_1,
+                           halfspace::Port<halfspace::Compensated>& compensated);
+
+}  // extern "C"
+
+#endif  // HALFSPACE_HLS_TOP_TOPS_HPP_
