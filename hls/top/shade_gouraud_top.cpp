@@ -19,6 +19,5 @@ extern "C" void shade_gouraud_top(int red, int green, int blue, const TopShading
   const Frame<TopFormats> frame = background_frame(red, green, blue);
   View<Scan> scan_words(scan);
   View<Pixel> pixel_words(pixel);
-Words:
-  while (!shade_gouraud(frame, scan_words, database, pixel_words)) {}
+  shade_gouraud_frame(frame, scan_words, database, pixel_words);
 }

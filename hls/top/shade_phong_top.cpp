@@ -22,6 +22,5 @@ extern "C" void shade_phong_top(int red, int green, int blue, const TopNormalDat
   const Frame<TopFormats> frame = background_frame(red, green, blue);
   View<Scan> scan_words(scan);
   View<Pixel> pixel_words(pixel);
-Words:
-  while (!shade_phong(frame, scan_words, database, lights, materials, pixel_words)) {}
+  shade_phong_frame(frame, scan_words, database, lights, materials, pixel_words);
 }

@@ -20,6 +20,5 @@ extern "C" void ztest_plane_top(TopIndexBuffer& index_buffer, TopVisibilityDatab
   View<Visible> visible_words(visible);
   Probe<Update<F>> update;
   Probe<PlaneTests> tests;
-Words:
-  while (!ztest_plane(stamp_words, depth_plane_words, index_buffer, database, update, visible_words, tests)) {}
+  ztest_plane_frame(stamp_words, depth_plane_words, index_buffer, database, update, visible_words, tests);
 }
