@@ -93,8 +93,8 @@ Triangles:
 template <class F>
 void shade_gouraud_frame(const Frame<F>& frame, Stream<Scan<F>>& scan, const ShadingDatabase<F>& database,
                          Stream<Pixel<F>>& pixel) {
-  Scan<F> in;
-  Pixel<F> out;
+  Scan<F> in{};
+  Pixel<F> out{};
   Bit waits[F::kLanes];
   bool starts = true, done = false;
 Turns:

@@ -59,8 +59,8 @@ Rgb<F> phong_pixel(const NormalPlanes<F>& planes, const Light<F>& light, const M
 template <Until kUntil, class F>
 bool shade_phong_stamps(const Frame<F>& frame, Stream<Scan<F>>& scan, const NormalDatabase<F>& database,
                         const LightTable<F>& lights, const MaterialTable<F>& materials, Stream<Pixel<F>>& pixel) {
-  Scan<F> in;
-  Pixel<F> out;
+  Scan<F> in{};
+  Pixel<F> out{};
   PixelNormal<F> normal{};
   LitSum<F> sum{};
   int lane = 0, light = 0;
