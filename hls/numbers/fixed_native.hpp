@@ -66,8 +66,7 @@ struct Fixed {
   template <class A, class B>
   static constexpr Fixed from_product(const A& a, const B& b) {
     static_assert(kFraction == A::kFraction + B::kFraction, "the last place of the product is that of the result");
-    using U = fixed_detail::Carrier<W, false>;
-    return from_bits(U(a.bits) * U(b.bits));
+    return from_bits(multiply_modulo<W, A::kWidth, A::kSigned, B::kWidth, B::kSigned>(a.bits, b.bits));
   }
 
  private:

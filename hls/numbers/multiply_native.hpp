@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The product of native numbers of W1 and W2 bits, with a sign or without.
+// Products of native numbers of W1 and W2 bits, with a sign or without: all of one, and the last W bits of one that may
+// be longer than 64 bits.
 //
-// Bambu builds a multiplier as wide as the integers are that it multiplies, unless it sees a mask. So there it is a
-// product of natural numbers: a negative factor is 2^W more then, and so many times the other factor are taken off.
+// Bambu builds a multiplier as wide as the integers are that it multiplies, unless it sees a mask. So there factors are
+// masked: a number with a sign is its bits below the sign, less 2^(W−1) where it is negative. And a factor of more than
+// 16 bits is cut in two where the last bits are asked for, as a multiplier of 16 bits is one block of an FPGA, one of
+// 32 three and a longer one ten.
 #ifndef HALFSPACE_HLS_NUMBERS_MULTIPLY_NATIVE_HPP_
 #define HALFSPACE_HLS_NUMBERS_MULTIPLY_NATIVE_HPP_
 
@@ -16,11 +19,27 @@ constexpr fixed_detail::Carrier<W1 + W2, S1 || S2> multiply(fixed_detail::Carrie
                                                             fixed_detail::Carrier<W2, S2> b) {
   using Product = fixed_detail::Carrier<W1 + W2, S1 || S2>;
 #ifdef __BAMBU__
-  using Natural = fixed_detail::Carrier<W1 + W2, false>;
-  const Natural u = Natural(fixed_detail::wrap<W1, false>(a)), v = Natural(fixed_detail::wrap<W2, false>(b));
-  return fixed_detail::wrap < W1 + W2, S1 || S2 > (u * v - (a < 0 ? v << W1 : 0) - (b < 0 ? u << W2 : 0));
+  constexpr int kLow1 = W1 - int(S1), kLow2 = W2 - int(S2);
+  using U = fixed_detail::Carrier<W1 + W2, false>;
+  const U u = U(fixed_detail::wrap<kLow1, false>(a)), v = U(fixed_detail::wrap<kLow2, false>(b));
+  return fixed_detail::wrap < W1 + W2, S1 || S2 > (u * v - (b < 0 ? u << kLow2 : 0) - (a < 0 ? U(b) << kLow1 : 0));
 #else
   return Product(a) * Product(b);
+#endif
+}
+
+template <int W, int W1, bool S1, int W2, bool S2>
+constexpr fixed_detail::Carrier<W, false> multiply_modulo(fixed_detail::Carrier<W1, S1> a,
+                                                          fixed_detail::Carrier<W2, S2> b) {
+  using U = fixed_detail::Carrier<W, false>;
+#ifdef __BAMBU__
+  // a = high·2^16 + low, and high has the sign.
+  constexpr int kCut = W1 > 16 ? 16 : 1;
+  const auto low = multiply<kCut, false, W2, S2>(fixed_detail::wrap<kCut, false>(a), b);
+  const auto high = multiply<W1 - kCut + 1, S1, W2, S2>(a >> kCut, b);
+  return U(low) + (U(high) << kCut);
+#else
+  return U(a) * U(b);
 #endif
 }
 

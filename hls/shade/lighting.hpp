@@ -44,8 +44,10 @@ typename F::Cosine cosine(const typename F::Dot& dot, const ReciprocalRoot<F>& i
   const Projection most = from_raw<Projection>(-1);
   const Projection projection = select(rounded < most, Projection(rounded), most);
   const Cosine result = round_to<Cosine>(projection * inverse.root);
-  const Cosine one = from_raw<Cosine>(std::uint64_t(1) << Cosine::fraction());
-  const Cosine at_most_one = select(result < one, result, one);
+  // At most 1, by its bits: a comparison with 1 would hide from a tool how many there are.
+  const int u = Cosine::fraction();
+  const Cosine whole = shift_left(shift_right(result, u), u);
+  const Cosine at_most_one = merged(whole, select(is_zero(whole), low_bits(result, u), from_raw<Cosine>(0)));
   return select(dot > typename F::Dot(), at_most_one, from_raw<Cosine>(0));
 }
 
@@ -79,7 +81,8 @@ typename F::Dot dot_product(const typename F::Normal (&n)[3], const typename F::
 // 1/|n|
 template <class F>
 ReciprocalRoot<F> reciprocal_length(const typename F::Normal (&n)[3]) {
-  return reciprocal_sqrt<F>(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+  const typename F::Normal::Unsigned x = magnitude(n[0]), y = magnitude(n[1]), z = magnitude(n[2]);
+  return reciprocal_sqrt<F>(x * x + y * y + z * z);
 }
 
 // `sum`, and what a light adds to it.
