@@ -17,21 +17,29 @@
 
 namespace halfspace {
 
+// An edge function modulo the width of F::EdgeStep: it is negative where the top bit is set. A tool sees how wide a
+// word without a sign is, not one with a sign in a longer carrier.
+template <class F>
+using EdgeWord = typename F::EdgeStep::Unsigned;
+template <class F>
+HS_INLINE inline bool is_outside(const EdgeWord<F>& e) {
+  return is_negative(typename F::EdgeStep(e));
+}
+
 // Where the walk stands.
 template <class F>
 struct WalkPosition {
   typename F::X x;  // in stamps
   typename F::Y y;
-  typename F::EdgeStep e[3];     // at the pixel of the stamp where it is largest: the stamp is near when all are >= 0
+  EdgeWord<F> e[3];  // at the pixel of the stamp where it is largest: the stamp is near when none is outside
   typename F::DepthPlane depth;  // at its first pixel
 };
 
 // The steps of a triangle, constant while it is walked.
 template <class F>
 struct WalkSteps {
-  typename F::EdgeStep e_x[3], e_y[3];  // to the next stamp right, below
-  typename F::EdgeStep lane_e[3]
-                             [F::kLanes];  // to each pixel of a stamp, from the one where the edge function is largest
+  EdgeWord<F> e_x[3], e_y[3];        // to the next stamp right, below
+  EdgeWord<F> lane_e[3][F::kLanes];  // to each pixel of a stamp, from the one where the edge function is largest
   typename F::DepthPlane depth_x, depth_y, lane_depth[F::kLanes];  // from the first one
   bool rises_right[3], rises_left[3];                              // edge functions
 };
@@ -107,7 +115,7 @@ Edges:
 
 template <class F>
 HS_INLINE inline bool is_near(const WalkPosition<F>& at) {
-  return !is_negative(at.e[0]) && !is_negative(at.e[1]) && !is_negative(at.e[2]);
+  return !is_outside<F>(at.e[0]) && !is_outside<F>(at.e[1]) && !is_outside<F>(at.e[2]);
 }
 
 // The coverage and depths of a stamp. Returns whether a pixel is covered.
@@ -124,11 +132,11 @@ HS_INLINE inline bool cover(const Frame<F>& frame, const WalkPosition<F>& at, co
 Lanes:
   for (int l = 0; l < F::kLanes; ++l) {
     HS_UNROLL
-    const E e0 = at.e[0] + steps.lane_e[0][l];
-    const E e1 = at.e[1] + steps.lane_e[1][l];
-    const E e2 = at.e[2] + steps.lane_e[2][l];
-    const unsigned inside = unsigned((raw(e0) | raw(e1) | raw(e2)) >= 0) & unsigned(l % F::kLanesX < last_column) &
-                            unsigned(l / F::kLanesX < last_row);
+    const EdgeWord<F> e0 = at.e[0] + steps.lane_e[0][l];
+    const EdgeWord<F> e1 = at.e[1] + steps.lane_e[1][l];
+    const EdgeWord<F> e2 = at.e[2] + steps.lane_e[2][l];
+    const unsigned inside = unsigned((raw(E(e0)) | raw(E(e1)) | raw(E(e2))) >= 0) &
+                            unsigned(l % F::kLanesX < last_column) & unsigned(l / F::kLanesX < last_row);
     stamp.mask[l] = from_raw<Bit>(inside);
     any |= inside;
   }
@@ -156,9 +164,8 @@ class RasterPineda {
   Start:
     for (int i = 0; i < 3; ++i) {
       HS_UNROLL
-      at_.e[i] = in.e[i] - steps_.lane_e[i][0];
+      at_.e[i] = EdgeWord<F>(in.e[i]) - steps_.lane_e[i][0];
     }
-    left_ = below_ = at_;
     left_near_ = below_near_ = pending_ = false;
     mode_ = kSearch;
     found_ = Stamp<F>{};
@@ -218,8 +225,8 @@ class RasterPineda {
     Edges:
       for (int i = 0; i < 3; ++i) {
         HS_UNROLL
-        rises_right = rises_right && (!is_negative(at_.e[i]) || steps_.rises_right[i]);
-        rises_left = rises_left && (!is_negative(at_.e[i]) || steps_.rises_left[i]);
+        rises_right = rises_right && (!is_outside<F>(at_.e[i]) || steps_.rises_right[i]);
+        rises_left = rises_left && (!is_outside<F>(at_.e[i]) || steps_.rises_left[i]);
       }
       if (rises_right && mode_ != kSearchLeft && can_go_right) {
         next = kSearchRight;
@@ -262,10 +269,42 @@ class RasterPineda {
   bool pending_, walks_;
 };
 
-// Walks triangles, each step of a cycle: taking one, visiting a stamp, or its end.
-template <Until kUntil, class F>
-HS_INLINE inline bool raster_pineda_steps(const Frame<F>& frame, Stream<Setup<F>>& setup, Stream<Stamp<F>>& stamp,
-                                          Stream<TriangleDepth<F>>& depth_plane, Probe<int>& visits) {
+// A step that visits a stamp or ends the triangle. Returns whether it ended.
+template <class F>
+HS_INLINE inline bool raster_pineda_step(const Frame<F>& frame, RasterPineda<F>& unit, Stream<Stamp<F>>& stamp) {
+  Stamp<F> out;
+  const bool ends = !unit.walks();
+  bool sends = true;
+  if (ends) {
+    unit.finish(out);
+  } else {
+    sends = unit.visit(frame, out);
+  }
+  if (sends) stamp.write(out);
+  return ends;
+}
+
+// One triangle.
+template <class F>
+bool raster_pineda(const Frame<F>& frame, Stream<Setup<F>>& setup, Stream<Stamp<F>>& stamp,
+                   Stream<TriangleDepth<F>>& depth_plane, Probe<int>& visits) {
+  RasterPineda<F> unit;
+  unit.take(setup.read());
+  if (F::kTestsPlanes) depth_plane.write(unit.depth_plane());
+  int count = 0;
+Walk:
+  while (!raster_pineda_step(frame, unit, stamp)) {
+    HS_PIPELINE(1)
+    ++count;
+  }
+  visits.write(count);
+  return unit.is_last();
+}
+
+// Those of a frame, in one loop: a step takes a triangle, visits a stamp or ends the triangle.
+template <class F>
+void raster_pineda_frame(const Frame<F>& frame, Stream<Setup<F>>& setup, Stream<Stamp<F>>& stamp,
+                         Stream<TriangleDepth<F>>& depth_plane, Probe<int>& visits) {
   RasterPineda<F> unit{};
   int count = 0;
   bool has_triangle = false, done = false;
@@ -277,33 +316,14 @@ Steps:
       if (F::kTestsPlanes) depth_plane.write(unit.depth_plane());
       has_triangle = true;
       count = 0;
+    } else if (raster_pineda_step(frame, unit, stamp)) {
+      visits.write(count);
+      has_triangle = false;
+      done = unit.is_last();
     } else {
-      Stamp<F> out;
-      bool sends = true;
-      if (unit.walks()) {
-        sends = unit.visit(frame, out);
-        ++count;
-      } else {
-        unit.finish(out);
-        visits.write(count);
-        has_triangle = false;
-        done = kUntil == Until::kTriangleEnds || unit.is_last();
-      }
-      if (sends) stamp.write(out);
+      ++count;
     }
   }
-  return unit.is_last();
-}
-
-template <class F>
-bool raster_pineda(const Frame<F>& frame, Stream<Setup<F>>& setup, Stream<Stamp<F>>& stamp,
-                   Stream<TriangleDepth<F>>& depth_plane, Probe<int>& visits) {
-  return raster_pineda_steps<Until::kTriangleEnds>(frame, setup, stamp, depth_plane, visits);
-}
-template <class F>
-void raster_pineda_frame(const Frame<F>& frame, Stream<Setup<F>>& setup, Stream<Stamp<F>>& stamp,
-                         Stream<TriangleDepth<F>>& depth_plane, Probe<int>& visits) {
-  raster_pineda_steps<Until::kFrameEnds>(frame, setup, stamp, depth_plane, visits);
 }
 
 }  // namespace halfspace
