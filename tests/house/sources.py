@@ -6,6 +6,7 @@ CPP = {".cpp", ".hpp", ".h"}
 SV = {".sv", ".svh"}
 SUFFIXES = CPP | SV | {".py", ".cmake", ".sh", ".md", ".txt", ".toml", ".yaml", ".yml", ".vlt", ".inc"}
 LISTS = {".toml", ".txt", ".yaml", ".yml"}  # an entry a line
+UNREAD = {"__pycache__", "build"}
 NAMES = {"Makefile", "Makefile.sim", "Snakefile", "CMakeLists.txt"}
 
 
@@ -14,7 +15,7 @@ def sources(root):
     found = []
     for path in sorted(root.iterdir()):
         if path.is_dir():
-            hidden = path.name.startswith(".") or path.name == "__pycache__" or (path / "CMakeCache.txt").exists()
+            hidden = path.name.startswith(".") or path.name in UNREAD or (path / "CMakeCache.txt").exists()
             found += [] if hidden or path.is_symlink() else sources(path)
         elif path.suffix in SUFFIXES or path.name in NAMES:
             found.append(path)
