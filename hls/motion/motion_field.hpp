@@ -18,6 +18,7 @@
 
 #include "hls/formats/buffers.hpp"
 #include "hls/formats/lanes.hpp"
+#include "hls/formats/scan_pixels.hpp"
 #include "hls/texture/reciprocal_lookup.hpp"
 
 namespace halfspace {
@@ -106,13 +107,30 @@ Keys:
   return out;
 }
 
-// The word of a frame that shows none.
+// The word of lane l of a stamp, but for `last`; of face 0 if the lane shows none.
 template <class F>
-Motion<F> background_pixel(int x, int y) {
+Motion<F> motion_lane(const Scan<F>& in, int l, const MotionDatabase<F>& database) {
+  const PixelPlace at = lane_place(in, l);
+  if (is_set(in.index[l])) return motion_pixel<F>(database.planes[int(raw(in.index[l])) - 1], at.x, at.y);
   Motion<F> out{};
-  out.x = from_raw<typename F::X>(x);
-  out.y = from_raw<typename F::Y>(y);
+  out.x = from_raw<typename F::X>(at.x);
+  out.y = from_raw<typename F::Y>(at.y);
   return out;
+}
+
+// Sends the word of a lane, or of a stamp without one (F::kLanes) that of lane 0 if it ends the frame. Returns the lane
+// that is next.
+template <class F>
+int send_lane(const Scan<F>& in, int lane, const MotionDatabase<F>& database, Stream<Motion<F>>& motion) {
+  const bool covered = lane < F::kLanes;
+  const int next = covered ? covered_lane(in, lane + 1) : F::kLanes;
+  const bool last = is_set(in.last) && next == F::kLanes;
+  if (covered || last) {
+    Motion<F> out = motion_lane(in, covered ? lane : 0, database);
+    out.last = from_raw<Bit>(last);
+    motion.write(out);
+  }
+  return next;
 }
 
 // One stamp: a word for each lane that shows a triangle, lanes in order; for the last stamp of the frame, if none does,
@@ -120,27 +138,32 @@ Motion<F> background_pixel(int x, int y) {
 template <class F>
 bool motion_field(Stream<Scan<F>>& scan, const MotionDatabase<F>& database, Stream<Motion<F>>& motion) {
   const Scan<F> in = scan.read();
-  const int x = int(raw(in.x)) << F::kLog2LanesX, y = int(raw(in.y)) << F::kLog2LanesY;
-  int end = 0;  // behind the last lane that sends a word
-Covered:
-  for (int l = 0; l < F::kLanes; ++l) {
-    HS_UNROLL
-    if (is_set(in.index[l])) end = l + 1;
-  }
-  const bool none = end == 0;
-  if (none && is_set(in.last)) end = 1;
+  int lane = covered_lane(in, 0);
 Lanes:
-  for (int l = 0; l < F::kLanes; ++l) {
+  for (int n = 0; n < F::kLanes; ++n) {
     HS_PIPELINE(1)
-    const bool covered = is_set(in.index[l]);
-    if (l >= end || (!none && !covered)) continue;
-    const int pixel_x = x + l % F::kLanesX, pixel_y = y + l / F::kLanesX;
-    Motion<F> out = covered ? motion_pixel<F>(database.planes[int(raw(in.index[l])) - 1], pixel_x, pixel_y)
-                            : background_pixel<F>(pixel_x, pixel_y);
-    out.last = from_raw<Bit>(is_set(in.last) && l + 1 == end);
-    motion.write(out);
+    lane = send_lane(in, lane, database, motion);
+    if (lane == F::kLanes) break;
   }
   return is_set(in.last);
+}
+
+// All stamps. A turn takes a covered lane, or a stamp without one, which it reads first.
+template <class F>
+void motion_field_frame(Stream<Scan<F>>& scan, const MotionDatabase<F>& database, Stream<Motion<F>>& motion) {
+  Scan<F> in{};
+  int lane = F::kLanes;
+  bool done = false;
+Turns:
+  while (!done) {
+    HS_PIPELINE(1)
+    if (lane == F::kLanes) {
+      in = scan.read();
+      lane = covered_lane(in, 0);
+    }
+    lane = send_lane(in, lane, database, motion);
+    done = lane == F::kLanes && is_set(in.last);
+  }
 }
 
 }  // namespace halfspace

@@ -15,6 +15,7 @@
 #ifndef HALFSPACE_HLS_TEXTURE_SHADE_TEXTURE_HPP_
 #define HALFSPACE_HLS_TEXTURE_SHADE_TEXTURE_HPP_
 
+#include "hls/formats/scan_pixels.hpp"
 #include "hls/texture/texel_fetch.hpp"
 #include "hls/texture/texel_filter.hpp"
 
@@ -45,38 +46,70 @@ void store_texel(Stream<Texel<F>>& texels, TextureMemory<F>& memory) {
   else memory.bank[0][address] = colour;
 }
 
+// Lane l of a stamp.
+template <class F>
+void texture_lane(const Scan<F>& in, int l, const TextureDatabase<F>& database, const TextureTable<F>& textures,
+                  const TextureMemory<F>& memory, Pixel<F>& pixel) {
+  constexpr int kBanks = TextureMemory<F>::kBanks;
+  if (!is_set(in.index[l])) return;
+  const TexturePlanes<F>& planes = database.planes[int(raw(in.index[l])) - 1];
+  if (!is_set(planes.texture)) return;
+  const TextureEntry<F>& entry = textures.entry[int(raw(planes.texture))];
+  const PixelPlace at = lane_place(in, l);
+  const TexelFetch<F> fetch = texel_fetch<F>(planes, entry, at.x, at.y);
+  TexelColour<F> texel[kBanks];
+Banks:
+  for (int bank = 0; bank < (F::kBilinear ? kBanks : 1); ++bank) {
+    HS_UNROLL
+    texel[bank] = memory.bank[bank][int(raw(fetch.address[bank]))];
+  }
+  TexelColour<F> colour;
+  colour.r = pixel.r[l];
+  colour.g = pixel.g[l];
+  colour.b = pixel.b[l];
+  colour = textured_pixel<F>(colour, fetch, texel);
+  pixel.r[l] = colour.r;
+  pixel.g[l] = colour.g;
+  pixel.b[l] = colour.b;
+}
+
 template <class F>
 bool shade_texture(Stream<Scan<F>>& scan, Stream<Pixel<F>>& lit, const TextureDatabase<F>& database,
                    const TextureTable<F>& textures, const TextureMemory<F>& memory, Stream<Pixel<F>>& pixel) {
-  constexpr int kBanks = TextureMemory<F>::kBanks;
   const Scan<F> in = scan.read();
   Pixel<F> out = lit.read();
-  const int x = int(raw(in.x)) << F::kLog2LanesX, y = int(raw(in.y)) << F::kLog2LanesY;
 Lanes:
   for (int l = 0; l < F::kLanes; ++l) {
     HS_PIPELINE(1)
-    if (!is_set(in.index[l])) continue;
-    const TexturePlanes<F>& planes = database.planes[int(raw(in.index[l])) - 1];
-    if (!is_set(planes.texture)) continue;
-    const TextureEntry<F>& entry = textures.entry[int(raw(planes.texture))];
-    const TexelFetch<F> fetch = texel_fetch<F>(planes, entry, x + l % F::kLanesX, y + l / F::kLanesX);
-    TexelColour<F> texel[kBanks];
-  Banks:
-    for (int bank = 0; bank < (F::kBilinear ? kBanks : 1); ++bank) {
-      HS_UNROLL
-      texel[bank] = memory.bank[bank][int(raw(fetch.address[bank]))];
-    }
-    TexelColour<F> colour;
-    colour.r = out.r[l];
-    colour.g = out.g[l];
-    colour.b = out.b[l];
-    colour = textured_pixel<F>(colour, fetch, texel);
-    out.r[l] = colour.r;
-    out.g[l] = colour.g;
-    out.b[l] = colour.b;
+    texture_lane(in, l, database, textures, memory, out);
   }
   pixel.write(out);
   return is_set(in.last);
+}
+
+// All stamps. A turn takes a covered lane, or a stamp without one: the first of a stamp reads it, and the last writes
+// its pixels.
+template <class F>
+void shade_texture_frame(Stream<Scan<F>>& scan, Stream<Pixel<F>>& lit, const TextureDatabase<F>& database,
+                         const TextureTable<F>& textures, const TextureMemory<F>& memory, Stream<Pixel<F>>& pixel) {
+  Scan<F> in{};
+  Pixel<F> out{};
+  int lane = 0;
+  bool starts = true, done = false;
+Turns:
+  while (!done) {
+    HS_PIPELINE(1)
+    if (starts) {
+      in = scan.read();
+      out = lit.read();
+      lane = covered_lane(in, 0);
+    }
+    if (lane < F::kLanes) texture_lane(in, lane, database, textures, memory, out);
+    lane = covered_lane(in, lane + 1);
+    starts = lane == F::kLanes;
+    if (starts) pixel.write(out);
+    done = starts && is_set(in.last);
+  }
 }
 
 }  // namespace halfspace

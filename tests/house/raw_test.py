@@ -15,9 +15,10 @@ FREE = ("numbers", "top")
 USES = {
     "formats/buffers.hpp": 2,
     "formats/lanes.hpp": 1,
+    "formats/scan_pixels.hpp": 2,
     "motion/key_cache.hpp": 2,
     "motion/key_place.hpp": 2,
-    "motion/motion_field.hpp": 6,
+    "motion/motion_field.hpp": 4,
     "objects/scan_object.hpp": 1,
     "raster/raster_pineda.hpp": 5,
     "setup/plane.hpp": 2,
@@ -26,7 +27,7 @@ USES = {
     "shade/shade_gouraud.hpp": 3,
     "shade/shade_phong.hpp": 5,
     "texture/reciprocal_lookup.hpp": 1,
-    "texture/shade_texture.hpp": 8,
+    "texture/shade_texture.hpp": 6,
     "texture/texel_fetch.hpp": 6,
     "ztest/ztest_plane.hpp": 3,
 }
