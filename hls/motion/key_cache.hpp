@@ -56,7 +56,7 @@ ParityTile<Tile> tile_of(const KeyAxis<Tile, N>& axis, int parity) {
 template <class F, int N, class Memory>
 void fill_cache(KeyCache<F, N>& cache, const KeyAxis<typename F::TileX, N>& columns,
                 const KeyAxis<typename F::TileY, N>& rows, Memory& memory) {
-Slots:
+Tiles:
   for (int slot = 0; slot < kCacheSlots; ++slot) {
     const ParityTile<typename F::TileX> x = tile_of(columns, slot & 1);
     const ParityTile<typename F::TileY> y = tile_of(rows, slot >> 1);

@@ -139,7 +139,7 @@ template <class F>
 bool motion_field(Stream<Scan<F>>& scan, const MotionDatabase<F>& database, Stream<Motion<F>>& motion) {
   const Scan<F> in = scan.read();
   int lane = covered_lane(in, 0);
-Lanes:
+Pixels:
   for (int n = 0; n < F::kLanes; ++n) {
     HS_PIPELINE(1)
     lane = send_lane(in, lane, database, motion);

@@ -51,7 +51,10 @@ class Unpacker {
   template <class T, std::size_t N>
   HS_INLINE void lanes(const char* name, T (&values)[N]) {
   Lanes:
-    for (std::size_t l = N; l > 0; --l) (*this)(name, values[l - 1]);
+    for (std::size_t l = N; l > 0; --l) {
+      HS_UNROLL
+      (*this)(name, values[l - 1]);
+    }
   }
 
  private:
@@ -71,7 +74,10 @@ class Packer {
   template <class T, std::size_t N>
   HS_INLINE void lanes(const char* name, const T (&values)[N]) {
   Lanes:
-    for (std::size_t l = N; l > 0; --l) (*this)(name, values[l - 1]);
+    for (std::size_t l = N; l > 0; --l) {
+      HS_UNROLL
+      (*this)(name, values[l - 1]);
+    }
   }
 
  private:

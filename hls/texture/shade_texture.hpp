@@ -78,7 +78,7 @@ bool shade_texture(Stream<Scan<F>>& scan, Stream<Pixel<F>>& lit, const TextureDa
                    const TextureTable<F>& textures, const TextureMemory<F>& memory, Stream<Pixel<F>>& pixel) {
   const Scan<F> in = scan.read();
   Pixel<F> out = lit.read();
-Lanes:
+Pixels:
   for (int l = 0; l < F::kLanes; ++l) {
     HS_PIPELINE(1)
     texture_lane(in, l, database, textures, memory, out);
