@@ -54,8 +54,8 @@ ParityTile<Tile> tile_of(const KeyAxis<Tile, N>& axis, int parity) {
 // Fetches what the cache lacks of the tiles of both axes, slot after slot. A `memory` is asked by request(tile), and
 // read() then gives the blocks of the tile, row by row.
 template <class F, int N, class Memory>
-void fill_cache(KeyCache<F, N>& cache, const KeyAxis<typename F::TileX, N>& columns,
-                const KeyAxis<typename F::TileY, N>& rows, Memory& memory) {
+HS_INLINE inline void fill_cache(KeyCache<F, N>& cache, const KeyAxis<typename F::TileX, N>& columns,
+                                 const KeyAxis<typename F::TileY, N>& rows, Memory& memory) {
 Tiles:
   for (int slot = 0; slot < kCacheSlots; ++slot) {
     const ParityTile<typename F::TileX> x = tile_of(columns, slot & 1);

@@ -83,10 +83,12 @@ Compensated<F> compensated_pixel(const CompensationFrame<F>& frame, const Motion
   return out;
 }
 
-// Fetches what the cache of a key lacks, reads it, and makes of it what comes of the key.
+// Fetches what the cache of a key lacks, reads it, and makes of it what comes of the key. Inline, as Bambu reads a stream
+// in its top alone.
 template <class F, int N, class Memory>
-KeyColour<F> fetched_colour(const CompensationFrame<F>& frame, const KeyWeights<F>& weights, const Motion<F>& in,
-                            const KeyVector<F>& v, KeyCache<F, N>& cache, Memory& memory) {
+HS_INLINE inline KeyColour<F> fetched_colour(const CompensationFrame<F>& frame, const KeyWeights<F>& weights,
+                                             const Motion<F>& in, const KeyVector<F>& v, KeyCache<F, N>& cache,
+                                             Memory& memory) {
   const KeyNumber<F> width = key_pixels<F>(frame.width), height = key_pixels<F>(frame.height);
   const KeyAxis<typename F::TileX, N> columns = key_axis<F, typename F::TileX, N>(width, in.x, v.x);
   const KeyAxis<typename F::TileY, N> rows = key_axis<F, typename F::TileY, N>(height, in.y, v.y);
