@@ -83,8 +83,8 @@ Compensated<F> compensated_pixel(const CompensationFrame<F>& frame, const Motion
   return out;
 }
 
-// Fetches what the cache of a key lacks, reads it, and makes of it what comes of the key. Inline, as Bambu reads a stream
-// in its top alone.
+// Fetches what the cache of a key lacks, reads it, and makes of it what comes of the key. Inline, as Bambu takes
+// streams in a top alone.
 template <class F, int N, class Memory>
 HS_INLINE inline KeyColour<F> fetched_colour(const CompensationFrame<F>& frame, const KeyWeights<F>& weights,
                                              const Motion<F>& in, const KeyVector<F>& v, KeyCache<F, N>& cache,
