@@ -33,10 +33,12 @@ constexpr fixed_detail::Carrier<W, false> multiply_modulo(fixed_detail::Carrier<
                                                           fixed_detail::Carrier<W2, S2> b) {
   using U = fixed_detail::Carrier<W, false>;
 #ifdef __BAMBU__
-  // a = high·2^16 + low, and high has the sign.
-  constexpr int kCut = W1 > 16 ? 16 : 1;
-  const auto low = multiply<kCut, false, W2, S2>(fixed_detail::wrap<kCut, false>(a), b);
-  const auto high = multiply<W1 - kCut + 1, S1, W2, S2>(a >> kCut, b);
+  // a = high·2^cut + low, and high has the sign. The parts of a product that is too long are not made.
+  constexpr bool kLong = W1 + W2 > 63;
+  constexpr int kCut = !kLong && W1 > 16 ? 16 : 1, kHigh = kLong ? 2 : W1 - kCut + 1, kOther = kLong ? 2 : W2;
+  if (kLong) return U(a) * U(b);
+  const auto low = multiply<kCut, false, kOther, S2>(fixed_detail::wrap<kCut, false>(a), b);
+  const auto high = multiply<kHigh, S1, kOther, S2>(a >> kCut, b);
   return U(low) + (U(high) << kCut);
 #else
   return U(a) * U(b);
