@@ -53,7 +53,7 @@ class Unpacker {
   Lanes:
     for (std::size_t l = N; l > 0; --l) {
       HS_UNROLL
-      (*this)(name, values[l - 1]);
+      operator()(name, values[l - 1]);
     }
   }
 
@@ -76,7 +76,7 @@ class Packer {
   Lanes:
     for (std::size_t l = N; l > 0; --l) {
       HS_UNROLL
-      (*this)(name, values[l - 1]);
+      operator()(name, values[l - 1]);
     }
   }
 
