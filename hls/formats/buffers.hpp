@@ -1,9 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// The memories of the pipeline: a word a stamp, the lanes side by side. In hardware, 1R1W RAMs.
+// The memories of the pipeline: a word a stamp, the lanes side by side; or a word an entry. In hardware, 1R1W RAMs.
+// Natively they are arrays of records, beside a top views of arrays of packed words.
 #ifndef HALFSPACE_HLS_FORMATS_BUFFERS_HPP_
 #define HALFSPACE_HLS_FORMATS_BUFFERS_HPP_
 
 #include "hls/formats/records.hpp"
+#ifdef HS_WORDS
+#include "hls/numbers/memory_words.hpp"
+#define HS_MEMORY(Record, member, words) Words<Record> member
+#define HS_MEMORY_OF(Record, Type, member, words, of_each) Words<Record> member
+#define HS_MEMORY_ROWS(Record, member, rows, words) WordRows<Record, words> member
+#else
+#define HS_MEMORY(Record, member, words) Record member[words]
+#define HS_MEMORY_OF(Record, Type, member, words, of_each) Type member[words] of_each
+#define HS_MEMORY_ROWS(Record, member, rows, words) Record member[rows][words]
+#endif
 
 namespace halfspace {
 
@@ -13,60 +24,127 @@ int stamp_address(const typename F::X& x, const typename F::Y& y) {
   return int(raw(y)) * F::kStampsX + int(raw(x));
 }
 
-// Which triangle is nearest: 0, or its index.
-template <class F>
-struct IndexBuffer {
-  typename F::Index index[F::kStamps][F::kLanes];
-};
+#ifndef HS_WORDS
+// memory[address] = lanes.
+template <class Memory, class T, std::size_t N>
+HS_INLINE inline void store_lanes(Memory& memory, int address, const T (&lanes)[N]) {
+Lanes:
+  for (std::size_t l = 0; l < N; ++l) {
+    HS_UNROLL
+    memory[address][l] = lanes[l];
+  }
+}
+#endif
 
-// Its depth; means nothing where the index is 0. Without F::kStoresDepth nothing reads or writes it.
+// The words of memories that have no record of a stream.
 template <class F>
-struct DepthBuffer {
-  typename F::Depth depth[F::kStoresDepth ? F::kStamps : 1][F::kLanes];
-};
+struct IndexStamp {
+  using Lane = typename F::Index;
+  Lane lane[F::kLanes];
 
-// The object of each triangle, with F::kHasObjects: entry index − 1.
+  Lane operator[](int l) const { return lane[l]; }
+  template <class V>
+  HS_INLINE constexpr void visit(V&& v) {
+    v.lanes("index", lane);
+  }
+};
 template <class F>
-struct ObjectTable {
-  typename F::Object object[F::kHasObjects ? F::kTriangles : 1];
-};
+struct DepthStamp {
+  using Lane = typename F::Depth;
+  Lane lane[F::kLanes];
 
-// TdbS, the triangle database for shading: entry index − 1.
+  Lane operator[](int l) const { return lane[l]; }
+  template <class V>
+  HS_INLINE constexpr void visit(V&& v) {
+    v.lanes("depth", lane);
+  }
+};
 template <class F>
-struct ShadingDatabase {
-  Planes<F> planes[F::kPhong || F::kHasMotion ? 1 : F::kTriangles];
-};
+struct ObjectEntry {
+  typename F::Object object;
 
-// TdbS with F::kPhong.
-template <class F>
-struct NormalDatabase {
-  NormalPlanes<F> planes[F::kPhong ? F::kTriangles : 1];
+  operator typename F::Object() const { return object; }
+  template <class V>
+  HS_INLINE constexpr void visit(V&& v) {
+    v("object", object);
+  }
 };
-
-// TdbS beside either, with F::kHasTexture.
-template <class F>
-struct TextureDatabase {
-  TexturePlanes<F> planes[F::kHasTexture ? F::kTriangles : 1];
-};
-
-// TdbS with F::kHasMotion.
-template <class F>
-struct MotionDatabase {
-  MotionPlanes<F> planes[F::kHasMotion ? F::kTriangles : 1];
-};
-
 // The depth plane of a triangle from the centre of pixel (0, 0) of the frame on, ½ included, modulo 2^b.
 template <class F>
 struct DepthEntry {
   typename F::DepthPlane origin;
   typename F::DepthGradient dx, dy;
+
+  template <class V>
+  HS_INLINE constexpr void visit(V&& v) {
+    v("origin", origin), v("dx", dx), v("dy", dy);
+  }
+};
+template <class F>
+struct TexelColour {
+  typename F::Colour r, g, b;
+
+  template <class V>
+  HS_INLINE constexpr void visit(V&& v) {
+    v("r", r), v("g", g), v("b", b);
+  }
+};
+
+// Which triangle is nearest: 0, or its index.
+template <class F>
+struct IndexBuffer {
+  static constexpr int kWords = F::kStamps;
+  HS_MEMORY_OF(IndexStamp<F>, typename F::Index, index, kWords, [F::kLanes]);
+};
+
+// Its depth; means nothing where the index is 0. Without F::kStoresDepth nothing reads or writes it.
+template <class F>
+struct DepthBuffer {
+  static constexpr int kWords = F::kStoresDepth ? F::kStamps : 1;
+  HS_MEMORY_OF(DepthStamp<F>, typename F::Depth, depth, kWords, [F::kLanes]);
+};
+
+// The object of each triangle, with F::kHasObjects: entry index − 1.
+template <class F>
+struct ObjectTable {
+  static constexpr int kWords = F::kHasObjects ? F::kTriangles : 1;
+  HS_MEMORY_OF(ObjectEntry<F>, typename F::Object, object, kWords, );
+};
+
+// TdbS, the triangle database for shading: entry index − 1.
+template <class F>
+struct ShadingDatabase {
+  static constexpr int kWords = F::kPhong || F::kHasMotion ? 1 : F::kTriangles;
+  HS_MEMORY(Planes<F>, planes, kWords);
+};
+
+// TdbS with F::kPhong.
+template <class F>
+struct NormalDatabase {
+  static constexpr int kWords = F::kPhong ? F::kTriangles : 1;
+  HS_MEMORY(NormalPlanes<F>, planes, kWords);
+};
+
+// TdbS beside either, with F::kHasTexture.
+template <class F>
+struct TextureDatabase {
+  static constexpr int kWords = F::kHasTexture ? F::kTriangles : 1;
+  HS_MEMORY(TexturePlanes<F>, planes, kWords);
+};
+
+// TdbS with F::kHasMotion.
+template <class F>
+struct MotionDatabase {
+  static constexpr int kWords = F::kHasMotion ? F::kTriangles : 1;
+  HS_MEMORY(MotionPlanes<F>, planes, kWords);
 };
 
 // TdbV, the triangle database for visibility: entry index − 1, of visible triangles alone. Without F::kTestsPlanes
 // nothing reads or writes it.
 template <class F>
 struct VisibilityDatabase {
-  DepthEntry<F> entry[F::kTestsPlanes ? F::kTriangles : 1];
+  static constexpr int kWords = F::kTestsPlanes ? F::kTriangles : 1;
+  HS_MEMORY(DepthEntry<F>, entry, kWords);
 };
 
 constexpr int kMostLights = 4;
@@ -74,28 +152,34 @@ constexpr int kMostLights = 4;
 // Registers and a memory of lighting: stable while a normal is lit.
 template <class F>
 struct LightTable {
-  Light<F> light[kMostLights];
+  static constexpr int kWords = kMostLights;
+  HS_MEMORY(Light<F>, light, kWords);
 };
 template <class F>
 struct MaterialTable {
-  Material<F> entry[F::kMaterials < 1 ? 1 : F::kMaterials][kMostLights];
+  static constexpr int kRows = F::kMaterials < 1 ? 1 : F::kMaterials;
+  static constexpr int kWords = kRows * kMostLights;
+  HS_MEMORY_ROWS(Material<F>, entry, kRows, kMostLights);
 };
 
 // Of textures: stable while a frame is scanned out. Entry 0, of no texture, means nothing.
 template <class F>
 struct TextureTable {
-  TextureEntry<F> entry[F::kTextures + 1];
-};
-template <class F>
-struct TexelColour {
-  typename F::Colour r, g, b;
+  static constexpr int kWords = F::kTextures + 1;
+  HS_MEMORY(TextureEntry<F>, entry, kWords);
 };
 // A bank for each parity of a texel's column and row, for bilinear filtering; else one.
 template <class F>
 struct TextureMemory {
   static constexpr int kBanks = F::kBilinear ? 4 : 1;
-  TexelColour<F> bank[kBanks][F::kTexels < kBanks ? 1 : F::kTexels / kBanks];
+  static constexpr int kBankWords = F::kTexels < kBanks ? 1 : F::kTexels / kBanks;
+  static constexpr int kWords = kBanks * kBankWords;
+  HS_MEMORY_ROWS(TexelColour<F>, bank, kBanks, kBankWords);
 };
+
+#undef HS_MEMORY
+#undef HS_MEMORY_OF
+#undef HS_MEMORY_ROWS
 
 // I-buffer all 0 before the first frame; a frame leaves it so.
 template <class F>

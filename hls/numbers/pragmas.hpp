@@ -10,6 +10,12 @@
 #ifndef HALFSPACE_HLS_NUMBERS_PRAGMAS_HPP_
 #define HALFSPACE_HLS_NUMBERS_PRAGMAS_HPP_
 
+// A top is compiled: its streams and its memories are of words.
+#if defined(HALFSPACE_STREAM_HLS) || defined(HALFSPACE_STREAM_AC) || defined(HALFSPACE_STREAM_WORDS) || \
+    defined(__VITIS_HLS__)
+#define HS_WORDS
+#endif
+
 #if defined(HALFSPACE_STREAM_HLS) || defined(__VITIS_HLS__)
 #define HS_PRAGMA(x) _Pragma(#x)
 #define HS_PIPELINE(interval) HS_PRAGMA(HLS PIPELINE II = interval)

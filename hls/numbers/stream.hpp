@@ -11,8 +11,7 @@
 
 #include "hls/numbers/pragmas.hpp"
 
-#if defined(HALFSPACE_STREAM_HLS) || defined(HALFSPACE_STREAM_AC) || defined(HALFSPACE_STREAM_WORDS) || \
-    defined(__VITIS_HLS__)
+#ifdef HS_WORDS
 #include "hls/numbers/stream_words.hpp"
 #else
 #include <cassert>

@@ -54,6 +54,11 @@ struct Word {
   std::uint64_t element[kElements];
 
   Word() : element{} {}
+  bool operator==(const Word& other) const {
+    bool equal = true;
+    for (int i = 0; i < kElements; ++i) equal = equal && element[i] == other.element[i];
+    return equal;
+  }
 };
 
 template <int N, int W>

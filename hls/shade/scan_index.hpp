@@ -32,12 +32,14 @@ HS_INLINE inline Scan<F> take_stamp(const StampPlace<F>& at, bool is_last, Index
   out.last = from_raw<Bit>(is_last);
   out.x = at.x;
   out.y = at.y;
+  typename F::Index none[F::kLanes];
 Lanes:
   for (int l = 0; l < F::kLanes; ++l) {
     HS_UNROLL
     out.index[l] = trimmed(index_buffer.index[address][l]);
-    index_buffer.index[address][l] = from_raw<typename F::Index>(0);
+    none[l] = from_raw<typename F::Index>(0);
   }
+  store_lanes(index_buffer.index, address, none);
   return out;
 }
 

@@ -5,8 +5,9 @@
 
 using namespace halfspace;
 
-extern "C" void light_vertex_top(const TopLightTable& lights, const TopMaterialTable& materials, Port<Normals>& normals,
-                                 Port<Colours>& colours) {
+extern "C" void light_vertex_top(MemoryWord<Light> lights[LightTable<TopFormats>::kWords],
+                                 MemoryWord<Material> materials[MaterialTable<TopFormats>::kWords],
+                                 Port<Normals>& normals, Port<Colours>& colours) {
   HS_MEMORY_PORT(lights)
   HS_MEMORY_PORT(materials)
   HS_STREAM_PORT(normals)
@@ -16,5 +17,7 @@ extern "C" void light_vertex_top(const TopLightTable& lights, const TopMaterialT
   static_assert(F::kHasLighting && !F::kPhong, "light_vertex is of configurations that light vertices");
   View<Normals> normals_words(normals);
   View<Colours> colours_words(colours);
-  light_vertex(normals_words, lights, materials, colours_words);
+  LightTable<F> lights_view = {Words<Light<F>>(lights)};
+  MaterialTable<F> materials_view = {WordRows<Material<F>, kMostLights>(materials)};
+  light_vertex(normals_words, lights_view, materials_view, colours_words);
 }

@@ -5,7 +5,8 @@
 
 using namespace halfspace;
 
-extern "C" void motion_field_top(const TopMotionDatabase& database, Port<Scan>& scan, Port<Motion>& motion) {
+extern "C" void motion_field_top(MemoryWord<MotionPlanes> database[MotionDatabase<TopFormats>::kWords],
+                                 Port<Scan>& scan, Port<Motion>& motion) {
   HS_MEMORY_PORT(database)
   HS_STREAM_PORT(scan)
   HS_STREAM_PORT(motion)
@@ -14,6 +15,7 @@ extern "C" void motion_field_top(const TopMotionDatabase& database, Port<Scan>& 
   static_assert(F::kHasMotion, "motion_field is of configurations with motion");
   View<Scan> scan_words(scan);
   View<Motion> motion_words(motion);
+  MotionDatabase<F> database_view = {Words<MotionPlanes<F>>(database)};
 Words:
-  while (!motion_field(scan_words, database, motion_words)) {}
+  while (!motion_field(scan_words, database_view, motion_words)) {}
 }

@@ -3,7 +3,7 @@
 //
 //   Channel<Record>&     a stream: AXI4-Stream, or what the tool has for a channel
 //   a number             a register of the frame: AXI4-Lite
-//   a buffer             a memory beside the top
+//   an array             a memory beside the top, of words too
 //
 // It takes a frame, from its first word to its last, and is then started again; one that cannot know its last word
 // takes one word and is started again at once. docs/port.md tells how to bring one to a tool.
@@ -61,22 +61,18 @@ using View = Stream<Record<TopFormats>>;
 template <class F>
 using TopKeyBlock = KeyBlock<F, key_side(F::kFilter)>;
 
-// The memories, by names of their own: what a tool writes about a top names them, and has this header for it.
-#define HS_TOP_MEMORY(Name) \
-  struct Top##Name : Name<TopFormats> {}
-HS_TOP_MEMORY(IndexBuffer);
-HS_TOP_MEMORY(DepthBuffer);
-HS_TOP_MEMORY(ObjectTable);
-HS_TOP_MEMORY(ShadingDatabase);
-HS_TOP_MEMORY(NormalDatabase);
-HS_TOP_MEMORY(TextureDatabase);
-HS_TOP_MEMORY(MotionDatabase);
-HS_TOP_MEMORY(VisibilityDatabase);
-HS_TOP_MEMORY(LightTable);
-HS_TOP_MEMORY(MaterialTable);
-HS_TOP_MEMORY(TextureTable);
-HS_TOP_MEMORY(TextureMemory);
-#undef HS_TOP_MEMORY
+// A word of a memory.
+template <template <class> class Record>
+using MemoryWord = Packed<Record<TopFormats>>;
+// Complete before a port names it: a tool asks for its size.
+template <template <class> class... Records>
+constexpr std::size_t complete_words() {
+  const std::size_t sizes[] = {sizeof(MemoryWord<Records>)...};
+  return sizeof(sizes);
+}
+static_assert(complete_words<IndexStamp, DepthStamp, ObjectEntry, DepthEntry, TexelColour, Planes, NormalPlanes,
+                             TexturePlanes, MotionPlanes, Light, Material, TextureEntry>() > 0,
+              "words of memories");
 
 // Pixels of the frame.
 inline Frame<TopFormats> top_frame(int width, int height) {

@@ -5,13 +5,16 @@
 
 using namespace halfspace;
 
-extern "C" void scan_index_top(int width, int height, TopIndexBuffer& index_buffer, Port<Scan>& scan) {
+extern "C" void scan_index_top(int width, int height,
+                               MemoryWord<IndexStamp> index_buffer[IndexBuffer<TopFormats>::kWords], Port<Scan>& scan) {
   HS_REGISTER_PORT(width)
   HS_REGISTER_PORT(height)
   HS_MEMORY_PORT(index_buffer)
   HS_STREAM_PORT(scan)
   HS_STARTED
+  using F = TopFormats;
   const Frame<TopFormats> frame = top_frame(width, height);
   View<Scan> scan_words(scan);
-  scan_index_frame(frame, index_buffer, scan_words);
+  IndexBuffer<F> index_buffer_view = {Words<IndexStamp<F>>(index_buffer)};
+  scan_index_frame(frame, index_buffer_view, scan_words);
 }

@@ -5,7 +5,8 @@
 
 using namespace halfspace;
 
-extern "C" void scan_object_top(TopDepthBuffer& depth_buffer, const TopObjectTable& objects, Port<Scan>& scan,
+extern "C" void scan_object_top(MemoryWord<DepthStamp> depth_buffer[DepthBuffer<TopFormats>::kWords],
+                                MemoryWord<ObjectEntry> objects[ObjectTable<TopFormats>::kWords], Port<Scan>& scan,
                                 Port<ObjectPixel>& object_pixel) {
   HS_MEMORY_PORT(depth_buffer)
   HS_MEMORY_PORT(objects)
@@ -16,6 +17,8 @@ extern "C" void scan_object_top(TopDepthBuffer& depth_buffer, const TopObjectTab
   static_assert(F::kHasObjects, "scan_object is of configurations with objects");
   View<Scan> scan_words(scan);
   View<ObjectPixel> object_pixel_words(object_pixel);
+  DepthBuffer<F> depth_buffer_view = {Words<DepthStamp<F>>(depth_buffer)};
+  ObjectTable<F> objects_view = {Words<ObjectEntry<F>>(objects)};
 Words:
-  while (!scan_object(scan_words, depth_buffer, objects, object_pixel_words)) {}
+  while (!scan_object(scan_words, depth_buffer_view, objects_view, object_pixel_words)) {}
 }

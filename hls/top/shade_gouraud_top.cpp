@@ -5,7 +5,8 @@
 
 using namespace halfspace;
 
-extern "C" void shade_gouraud_top(int red, int green, int blue, const TopShadingDatabase& database, Port<Scan>& scan,
+extern "C" void shade_gouraud_top(int red, int green, int blue,
+                                  MemoryWord<Planes> database[ShadingDatabase<TopFormats>::kWords], Port<Scan>& scan,
                                   Port<Pixel>& pixel) {
   HS_REGISTER_PORT(red)
   HS_REGISTER_PORT(green)
@@ -19,5 +20,6 @@ extern "C" void shade_gouraud_top(int red, int green, int blue, const TopShading
   const Frame<TopFormats> frame = background_frame(red, green, blue);
   View<Scan> scan_words(scan);
   View<Pixel> pixel_words(pixel);
-  shade_gouraud_frame(frame, scan_words, database, pixel_words);
+  ShadingDatabase<F> database_view = {Words<Planes<F>>(database)};
+  shade_gouraud_frame(frame, scan_words, database_view, pixel_words);
 }

@@ -5,8 +5,10 @@
 
 using namespace halfspace;
 
-extern "C" void shade_phong_top(int red, int green, int blue, const TopNormalDatabase& database,
-                                const TopLightTable& lights, const TopMaterialTable& materials, Port<Scan>& scan,
+extern "C" void shade_phong_top(int red, int green, int blue,
+                                MemoryWord<NormalPlanes> database[NormalDatabase<TopFormats>::kWords],
+                                MemoryWord<Light> lights[LightTable<TopFormats>::kWords],
+                                MemoryWord<Material> materials[MaterialTable<TopFormats>::kWords], Port<Scan>& scan,
                                 Port<Pixel>& pixel) {
   HS_REGISTER_PORT(red)
   HS_REGISTER_PORT(green)
@@ -22,5 +24,8 @@ extern "C" void shade_phong_top(int red, int green, int blue, const TopNormalDat
   const Frame<TopFormats> frame = background_frame(red, green, blue);
   View<Scan> scan_words(scan);
   View<Pixel> pixel_words(pixel);
-  shade_phong_frame(frame, scan_words, database, lights, materials, pixel_words);
+  NormalDatabase<F> database_view = {Words<NormalPlanes<F>>(database)};
+  LightTable<F> lights_view = {Words<Light<F>>(lights)};
+  MaterialTable<F> materials_view = {WordRows<Material<F>, kMostLights>(materials)};
+  shade_phong_frame(frame, scan_words, database_view, lights_view, materials_view, pixel_words);
 }

@@ -5,9 +5,10 @@
 
 using namespace halfspace;
 
-extern "C" void shade_texture_top(const TopTextureDatabase& database, const TopTextureTable& textures,
-                                  const TopTextureMemory& texels, Port<Scan>& scan, Port<Pixel>& lit,
-                                  Port<Pixel>& pixel) {
+extern "C" void shade_texture_top(MemoryWord<TexturePlanes> database[TextureDatabase<TopFormats>::kWords],
+                                  MemoryWord<TextureEntry> textures[TextureTable<TopFormats>::kWords],
+                                  MemoryWord<TexelColour> texels[TextureMemory<TopFormats>::kWords], Port<Scan>& scan,
+                                  Port<Pixel>& lit, Port<Pixel>& pixel) {
   HS_MEMORY_PORT(database)
   HS_MEMORY_PORT(textures)
   HS_MEMORY_PORT(texels)
@@ -20,6 +21,9 @@ extern "C" void shade_texture_top(const TopTextureDatabase& database, const TopT
   View<Scan> scan_words(scan);
   View<Pixel> lit_words(lit);
   View<Pixel> pixel_words(pixel);
+  TextureDatabase<F> database_view = {Words<TexturePlanes<F>>(database)};
+  TextureTable<F> textures_view = {Words<TextureEntry<F>>(textures)};
+  TextureMemory<F> texels_view = {WordRows<TexelColour<F>, TextureMemory<F>::kBankWords>(texels)};
 Words:
-  while (!shade_texture(scan_words, lit_words, database, textures, texels, pixel_words)) {}
+  while (!shade_texture(scan_words, lit_words, database_view, textures_view, texels_view, pixel_words)) {}
 }

@@ -22,13 +22,17 @@ void raster_pineda_plane_top(int width, int height, halfspace::Port<halfspace::S
                              halfspace::Port<halfspace::TriangleDepth>& depth_plane);
 
 // A frame of stamps into the I-buffer and the Z-buffer.
-void ztest_index_top(halfspace::TopIndexBuffer& index_buffer, halfspace::TopDepthBuffer& depth_buffer,
-                     halfspace::Port<halfspace::Stamp>& stamp, halfspace::Port<halfspace::Visible>& visible);
+void ztest_index_top(
+    halfspace::MemoryWord<halfspace::IndexStamp> index_buffer[halfspace::IndexBuffer<halfspace::TopFormats>::kWords],
+    halfspace::MemoryWord<halfspace::DepthStamp> depth_buffer[halfspace::DepthBuffer<halfspace::TopFormats>::kWords],
+    halfspace::Port<halfspace::Stamp>& stamp, halfspace::Port<halfspace::Visible>& visible);
 
 // A frame of stamps into the I-buffer and TdbV.
-void ztest_plane_top(halfspace::TopIndexBuffer& index_buffer, halfspace::TopVisibilityDatabase& database,
-                     halfspace::Port<halfspace::Stamp>& stamp, halfspace::Port<halfspace::TriangleDepth>& depth_plane,
-                     halfspace::Port<halfspace::Visible>& visible);
+void ztest_plane_top(
+    halfspace::MemoryWord<halfspace::IndexStamp> index_buffer[halfspace::IndexBuffer<halfspace::TopFormats>::kWords],
+    halfspace::MemoryWord<halfspace::DepthEntry> database[halfspace::VisibilityDatabase<halfspace::TopFormats>::kWords],
+    halfspace::Port<halfspace::Stamp>& stamp, halfspace::Port<halfspace::TriangleDepth>& depth_plane,
+    halfspace::Port<halfspace::Visible>& visible);
 
 // The attributes of a frame, of which those of visible triangles go on.
 void visible_select_top(halfspace::Port<halfspace::Attributes>& attributes, halfspace::Port<halfspace::Visible>& tested,
@@ -42,8 +46,10 @@ void shade_setup_lit_top(halfspace::Port<halfspace::Attributes>& attributes,
                          halfspace::Port<halfspace::Colours>& colours, halfspace::Port<halfspace::Planes>& planes);
 
 // A triangle a start: normals come for visible triangles alone, so no word is known to be the last.
-void light_vertex_top(const halfspace::TopLightTable& lights, const halfspace::TopMaterialTable& materials,
-                      halfspace::Port<halfspace::Normals>& normals, halfspace::Port<halfspace::Colours>& colours);
+void light_vertex_top(
+    halfspace::MemoryWord<halfspace::Light> lights[halfspace::LightTable<halfspace::TopFormats>::kWords],
+    halfspace::MemoryWord<halfspace::Material> materials[halfspace::MaterialTable<halfspace::TopFormats>::kWords],
+    halfspace::Port<halfspace::Normals>& normals, halfspace::Port<halfspace::Colours>& colours);
 
 // A frame of attributes and normals to planes of normals.
 void phong_setup_top(halfspace::Port<halfspace::Attributes>& attributes, halfspace::Port<halfspace::Normals>& normals,
@@ -60,30 +66,43 @@ void motion_setup_top(halfspace::Port<halfspace::Attributes>& attributes,
                       halfspace::Port<halfspace::MotionPlanes>& planes);
 
 // A frame from the I-buffer, which it clears.
-void scan_index_top(int width, int height, halfspace::TopIndexBuffer& index_buffer,
-                    halfspace::Port<halfspace::Scan>& scan);
+void scan_index_top(
+    int width, int height,
+    halfspace::MemoryWord<halfspace::IndexStamp> index_buffer[halfspace::IndexBuffer<halfspace::TopFormats>::kWords],
+    halfspace::Port<halfspace::Scan>& scan);
 
 // A frame of stamps to colours.
-void shade_gouraud_top(int red, int green, int blue, const halfspace::TopShadingDatabase& database,
-                       halfspace::Port<halfspace::Scan>& scan, halfspace::Port<halfspace::Pixel>& pixel);
+void shade_gouraud_top(
+    int red, int green, int blue,
+    halfspace::MemoryWord<halfspace::Planes> database[halfspace::ShadingDatabase<halfspace::TopFormats>::kWords],
+    halfspace::Port<halfspace::Scan>& scan, halfspace::Port<halfspace::Pixel>& pixel);
 
 // A frame of stamps to colours, a pixel lit at a time.
-void shade_phong_top(int red, int green, int blue, const halfspace::TopNormalDatabase& database,
-                     const halfspace::TopLightTable& lights, const halfspace::TopMaterialTable& materials,
-                     halfspace::Port<halfspace::Scan>& scan, halfspace::Port<halfspace::Pixel>& pixel);
+void shade_phong_top(
+    int red, int green, int blue,
+    halfspace::MemoryWord<halfspace::NormalPlanes> database[halfspace::NormalDatabase<halfspace::TopFormats>::kWords],
+    halfspace::MemoryWord<halfspace::Light> lights[halfspace::LightTable<halfspace::TopFormats>::kWords],
+    halfspace::MemoryWord<halfspace::Material> materials[halfspace::MaterialTable<halfspace::TopFormats>::kWords],
+    halfspace::Port<halfspace::Scan>& scan, halfspace::Port<halfspace::Pixel>& pixel);
 
 // A frame of stamps and their colours to textured ones.
-void shade_texture_top(const halfspace::TopTextureDatabase& database, const halfspace::TopTextureTable& textures,
-                       const halfspace::TopTextureMemory& texels, halfspace::Port<halfspace::Scan>& scan,
-                       halfspace::Port<halfspace::Pixel>& lit, halfspace::Port<halfspace::Pixel>& pixel);
+void shade_texture_top(
+    halfspace::MemoryWord<halfspace::TexturePlanes> database[halfspace::TextureDatabase<halfspace::TopFormats>::kWords],
+    halfspace::MemoryWord<halfspace::TextureEntry> textures[halfspace::TextureTable<halfspace::TopFormats>::kWords],
+    halfspace::MemoryWord<halfspace::TexelColour> texels[halfspace::TextureMemory<halfspace::TopFormats>::kWords],
+    halfspace::Port<halfspace::Scan>& scan, halfspace::Port<halfspace::Pixel>& lit,
+    halfspace::Port<halfspace::Pixel>& pixel);
 
 // A frame of stamps to depths and objects.
-void scan_object_top(halfspace::TopDepthBuffer& depth_buffer, const halfspace::TopObjectTable& objects,
-                     halfspace::Port<halfspace::Scan>& scan, halfspace::Port<halfspace::ObjectPixel>& object_pixel);
+void scan_object_top(
+    halfspace::MemoryWord<halfspace::DepthStamp> depth_buffer[halfspace::DepthBuffer<halfspace::TopFormats>::kWords],
+    halfspace::MemoryWord<halfspace::ObjectEntry> objects[halfspace::ObjectTable<halfspace::TopFormats>::kWords],
+    halfspace::Port<halfspace::Scan>& scan, halfspace::Port<halfspace::ObjectPixel>& object_pixel);
 
 // A frame of stamps to motion vectors.
-void motion_field_top(const halfspace::TopMotionDatabase& database, halfspace::Port<halfspace::Scan>& scan,
-                      halfspace::Port<halfspace::Motion>& motion);
+void motion_field_top(
+    halfspace::MemoryWord<halfspace::MotionPlanes> database[halfspace::MotionDatabase<halfspace::TopFormats>::kWords],
+    halfspace::Port<halfspace::Scan>& scan, halfspace::Port<halfspace::Motion>& motion);
 
 // A run: a word of `merge`, and stamps up to the last.
 void ztest_merge_top(halfspace::Port<halfspace::Merge>& merge, halfspace::Port<halfspace::Entry>& stored,

@@ -5,8 +5,9 @@
 
 using namespace halfspace;
 
-extern "C" void ztest_index_top(TopIndexBuffer& index_buffer, TopDepthBuffer& depth_buffer, Port<Stamp>& stamp,
-                                Port<Visible>& visible) {
+extern "C" void ztest_index_top(MemoryWord<IndexStamp> index_buffer[IndexBuffer<TopFormats>::kWords],
+                                MemoryWord<DepthStamp> depth_buffer[DepthBuffer<TopFormats>::kWords],
+                                Port<Stamp>& stamp, Port<Visible>& visible) {
   HS_MEMORY_PORT(index_buffer)
   HS_MEMORY_PORT(depth_buffer)
   HS_STREAM_PORT(stamp)
@@ -16,6 +17,8 @@ extern "C" void ztest_index_top(TopIndexBuffer& index_buffer, TopDepthBuffer& de
   static_assert(!F::kTestsPlanes, "type γ has ztest_plane_top");
   View<Stamp> stamp_words(stamp);
   View<Visible> visible_words(visible);
+  IndexBuffer<F> index_buffer_view = {Words<IndexStamp<F>>(index_buffer)};
+  DepthBuffer<F> depth_buffer_view = {Words<DepthStamp<F>>(depth_buffer)};
   Probe<Update<F>> update;
-  ztest_index_frame(stamp_words, index_buffer, depth_buffer, update, visible_words);
+  ztest_index_frame(stamp_words, index_buffer_view, depth_buffer_view, update, visible_words);
 }

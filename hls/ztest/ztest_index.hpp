@@ -37,12 +37,8 @@ Lanes:
 template <class F>
 HS_INLINE inline void write_stamp(const StoredStamp<F>& stored, int address, IndexBuffer<F>& index_buffer,
                                   DepthBuffer<F>& depth_buffer) {
-Lanes:
-  for (int l = 0; l < F::kLanes; ++l) {
-    HS_UNROLL
-    index_buffer.index[address][l] = stored.index[l];
-    if (F::kHasDepth) depth_buffer.depth[address][l] = stored.depth[l];
-  }
+  store_lanes(index_buffer.index, address, stored.index);
+  if (F::kHasDepth) store_lanes(depth_buffer.depth, address, stored.depth);
 }
 
 // Puts the fragments that pass in the place of what is stored. Returns whether there are any.

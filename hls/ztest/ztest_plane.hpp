@@ -104,8 +104,9 @@ Stamps:
       const unsigned pass = unsigned(is_set(in.mask[l])) & unsigned(in.depth[l] < depth[l]);
       any |= pass;
       out.mask[l] = from_raw<Bit>(pass);
-      index_buffer.index[address][l] = select(pass != 0, in.index, index[l]);
+      index[l] = select(pass != 0, in.index, index[l]);
     }
+    store_lanes(index_buffer.index, address, index);
     if (any) update.write(out);
     if (any && !any_of_triangle) database.entry[int(raw(in.index)) - 1] = entry;
     any_of_triangle = any_of_triangle || any;

@@ -57,14 +57,14 @@ void frame_of_ztest_index(B& bench) {
   bench.template send<Stamp<F>>("stamp", stamp);
   ztest_index_top(drawn.index, drawn.depth, stamp, visible);
   bench.template expect<Visible<F>>("visible", visible);
-  bench.expect("I-buffer", drawn.index.index, expected.index.index);
-  if (F::kStoresDepth) bench.expect("Z-buffer", drawn.depth.depth, expected.depth.depth);
+  bench.expect("I-buffer", drawn.index, expected.index);
+  if (F::kStoresDepth) bench.expect("Z-buffer", drawn.depth, expected.depth);
 }
 
 template <class B>
 void frame_of_ztest_plane(B& bench) {
   static Drawn drawn, expected;
-  static TopVisibilityDatabase database;
+  static MemoryWord<DepthEntry> database[VisibilityDatabase<F>::kWords];
   drawn.clear(), expected.clear();
   expected.draw(bench.template records<Update<F>>("update"));
   Port<Stamp> stamp;
@@ -74,7 +74,7 @@ void frame_of_ztest_plane(B& bench) {
   bench.template send<TriangleDepth<F>>("triangle_depth", triangle_depth);
   ztest_plane_top(drawn.index, database, stamp, triangle_depth, visible);
   bench.template expect<Visible<F>>("visible", visible);
-  bench.expect("I-buffer", drawn.index.index, expected.index.index);
+  bench.expect("I-buffer", drawn.index, expected.index);
 }
 
 template <class B>
@@ -161,13 +161,13 @@ void frame_of_scan_index(B& bench) {
   Port<Scan> scan;
   scan_index_top(bench.size().width, bench.size().height, drawn.index, scan);
   bench.template expect<Scan<F>>("scan", scan);
-  bench.expect("I-buffer", drawn.index.index, cleared.index.index);
+  bench.expect("I-buffer", drawn.index, cleared.index);
 }
 
 template <class B>
 void frame_of_shade_gouraud(B& bench) {
-  static TopShadingDatabase database;
-  for (const Planes<F>& planes : bench.template records<Planes<F>>("planes")) store(planes, database.planes);
+  static MemoryWord<Planes> database[ShadingDatabase<F>::kWords];
+  store_planes<Planes<F>>(bench, "planes", database);
   Port<Scan> scan;
   Port<Pixel> pixel;
   bench.template send<Scan<F>>("scan", scan);
@@ -179,11 +179,9 @@ void frame_of_shade_gouraud(B& bench) {
 template <class B>
 void frame_of_shade_phong(B& bench) {
   static Lights lights;
-  static TopNormalDatabase database;
+  static MemoryWord<NormalPlanes> database[NormalDatabase<F>::kWords];
   lights.load(bench);
-  for (const NormalPlanes<F>& planes : bench.template records<NormalPlanes<F>>("planes")) {
-    store(planes, database.planes);
-  }
+  store_planes<NormalPlanes<F>>(bench, "planes", database);
   Port<Scan> scan;
   Port<Pixel> pixel;
   bench.template send<Scan<F>>("scan", scan);
@@ -195,11 +193,9 @@ void frame_of_shade_phong(B& bench) {
 template <class B>
 void frame_of_shade_texture(B& bench) {
   static Textures textures;
-  static TopTextureDatabase database;
+  static MemoryWord<TexturePlanes> database[TextureDatabase<F>::kWords];
   textures.load(bench);
-  for (const TexturePlanes<F>& planes : bench.template records<TexturePlanes<F>>("texture_planes")) {
-    store(planes, database.planes);
-  }
+  store_planes<TexturePlanes<F>>(bench, "texture_planes", database);
   Port<Scan> scan;
   Port<Pixel> lit, pixel;
   bench.template send<Scan<F>>("scan", scan);
@@ -211,11 +207,11 @@ void frame_of_shade_texture(B& bench) {
 template <class B>
 void frame_of_scan_object(B& bench) {
   static Drawn drawn;
-  static TopObjectTable objects;
+  static MemoryWord<ObjectEntry> objects[ObjectTable<F>::kWords];
   drawn.clear();
   drawn.draw(bench.template records<Update<F>>("update"));
   for (const Triangle<F>& triangle : bench.template records<Triangle<F>>("triangle")) {
-    if (is_set(triangle.index)) objects.object[int(raw(triangle.index)) - 1] = triangle.object;
+    if (is_set(triangle.index)) objects[int(raw(triangle.index)) - 1] = packed(ObjectEntry<F>{triangle.object});
   }
   std::vector<ObjectPixel<F>> expected;
   for (const Entry<F>& entry : bench.template records<Entry<F>>("entry")) expected.push_back(objects_of(entry));
@@ -228,10 +224,8 @@ void frame_of_scan_object(B& bench) {
 
 template <class B>
 void frame_of_motion_field(B& bench) {
-  static TopMotionDatabase database;
-  for (const MotionPlanes<F>& planes : bench.template records<MotionPlanes<F>>("motion_planes")) {
-    store(planes, database.planes);
-  }
+  static MemoryWord<MotionPlanes> database[MotionDatabase<F>::kWords];
+  store_planes<MotionPlanes<F>>(bench, "motion_planes", database);
   Port<Scan> scan;
   Port<Motion> motion;
   bench.template send<Scan<F>>("scan", scan);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The memories beside the tops, as a bench fills them from the words of a set and reads them.
+// The memories beside the tops, as a bench fills them from the words of a set.
 #ifndef HALFSPACE_HLS_TOP_BENCH_MEMORIES_HPP_
 #define HALFSPACE_HLS_TOP_BENCH_MEMORIES_HPP_
 
@@ -12,26 +12,28 @@ struct Drawn {
   using F = TopFormats;
 
   void clear() {
-    for (auto& stamp : index.index) {
-      for (F::Index& pixel : stamp) pixel = from_raw<F::Index>(0);
-    }
-    for (auto& stamp : depth.depth) {
-      for (F::Depth& pixel : stamp) pixel = from_raw<F::Depth>(0);
-    }
+    for (MemoryWord<IndexStamp>& word : index) word = MemoryWord<IndexStamp>();
+    for (MemoryWord<DepthStamp>& word : depth) word = MemoryWord<DepthStamp>();
   }
   void draw(const std::vector<Update<F>>& updates) {
     for (const Update<F>& update : updates) {
-      const int address = int(raw(update.y)) * F::kStampsX + int(raw(update.x));
+      const int address = stamp_address<F>(update.x, update.y);
+      IndexStamp<F> stamp = unpacked<IndexStamp<F>>(index[address]);
       for (int l = 0; l < F::kLanes; ++l) {
-        if (!is_set(update.mask[l])) continue;
-        index.index[address][l] = update.index;
-        if (F::kStoresDepth) depth.depth[address][l] = update.depth[l];
+        if (is_set(update.mask[l])) stamp.lane[l] = update.index;
       }
+      index[address] = packed(stamp);
+      if (!F::kStoresDepth) continue;
+      DepthStamp<F> depths = unpacked<DepthStamp<F>>(depth[address]);
+      for (int l = 0; l < F::kLanes; ++l) {
+        if (is_set(update.mask[l])) depths.lane[l] = update.depth[l];
+      }
+      depth[address] = packed(depths);
     }
   }
 
-  TopIndexBuffer index;
-  TopDepthBuffer depth;
+  MemoryWord<IndexStamp> index[IndexBuffer<F>::kWords];
+  MemoryWord<DepthStamp> depth[DepthBuffer<F>::kWords];
 };
 
 // Lights and materials; a set has words where they change.
@@ -40,14 +42,14 @@ struct Lights {
 
   template <class B>
   void load(B& bench) {
-    for (const Light<F>& word : bench.template records<Light<F>>("light")) light.light[int(raw(word.light))] = word;
+    for (const Light<F>& word : bench.template records<Light<F>>("light")) light[int(raw(word.light))] = packed(word);
     for (const Material<F>& word : bench.template records<Material<F>>("material")) {
-      material.entry[int(raw(word.material))][int(raw(word.light))] = word;
+      material[int(raw(word.material)) * kMostLights + int(raw(word.light))] = packed(word);
     }
   }
 
-  TopLightTable light;
-  TopMaterialTable material;
+  MemoryWord<Light> light[LightTable<F>::kWords];
+  MemoryWord<Material> material[MaterialTable<F>::kWords];
 };
 
 struct Textures {
@@ -55,27 +57,30 @@ struct Textures {
 
   template <class B>
   void load(B& bench) {
-    constexpr int kBanks = TextureMemory<F>::kBanks;
+    using Memory = TextureMemory<F>;
     for (const TextureEntry<F>& word : bench.template records<TextureEntry<F>>("texture")) {
-      table.entry[int(raw(word.texture))] = word;
+      table[int(raw(word.texture))] = packed(word);
     }
     for (const Texel<F>& word : bench.template records<Texel<F>>("texel")) {
       const int address = int(raw(word.address));
-      TexelColour<F>& texel = texels.bank[address % kBanks][address / kBanks];
+      TexelColour<F> texel;
       texel.r = word.r;
       texel.g = word.g;
       texel.b = word.b;
+      texels[address % Memory::kBanks * Memory::kBankWords + address / Memory::kBanks] = packed(texel);
     }
   }
 
-  TopTextureTable table;
-  TopTextureMemory texels;
+  MemoryWord<TextureEntry> table[TextureTable<F>::kWords];
+  MemoryWord<TexelColour> texels[TextureMemory<F>::kWords];
 };
 
-// An entry of TdbS, where there is one.
-template <class Record, std::size_t N>
-void store(const Record& word, Record (&entries)[N]) {
-  if (!is_set(word.empty)) entries[int(raw(word.index)) - 1] = word;
+// What a set has of TdbS.
+template <class R, std::size_t N, class B>
+void store_planes(B& bench, const char* stream, Packed<R> (&database)[N]) {
+  for (const R& word : bench.template records<R>(stream)) {
+    if (!is_set(word.empty)) database[int(raw(word.index)) - 1] = packed(word);
+  }
 }
 
 template <class F>
