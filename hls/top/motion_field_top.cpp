@@ -16,6 +16,5 @@ extern "C" void motion_field_top(MemoryWord<MotionPlanes> database[MotionDatabas
   View<Scan> scan_words(scan);
   View<Motion> motion_words(motion);
   MotionDatabase<F> database_view = {Words<MotionPlanes<F>>(database)};
-Words:
-  while (!motion_field(scan_words, database_view, motion_words)) {}
+  motion_field_frame(scan_words, database_view, motion_words);
 }

@@ -24,6 +24,5 @@ extern "C" void shade_texture_top(MemoryWord<TexturePlanes> database[TextureData
   TextureDatabase<F> database_view = {Words<TexturePlanes<F>>(database)};
   TextureTable<F> textures_view = {Words<TextureEntry<F>>(textures)};
   TextureMemory<F> texels_view = {WordRows<TexelColour<F>, TextureMemory<F>::kBankWords>(texels)};
-Words:
-  while (!shade_texture(scan_words, lit_words, database_view, textures_view, texels_view, pixel_words)) {}
+  shade_texture_frame(scan_words, lit_words, database_view, textures_view, texels_view, pixel_words);
 }

@@ -4,7 +4,7 @@
 #ifndef HALFSPACE_HLS_TOP_TOPS_HPP_
 #define HALFSPACE_HLS_TOP_TOPS_HPP_
 
-#include "hls/top/ports.hpp"
+#include "hls/top/ports/ports.hpp"
 
 extern "C" {
 
@@ -116,6 +116,25 @@ void motion_compensate_top(int width, int height, int weight, halfspace::Port<ha
                            halfspace::Port<halfspace::KeyRequest>& key_request_1,
                            halfspace::Port<halfspace::TopKeyBlock>& key_block_1,
                            halfspace::Port<halfspace::Compensated>& compensated);
+
+// Composed. Triangles in, what is visible out; the I-buffer, the Z-buffer and TdbS are written.
+void front_top(
+    int width, int height,
+    halfspace::MemoryWord<halfspace::IndexStamp> index_buffer[halfspace::IndexBuffer<halfspace::TopFormats>::kWords],
+    halfspace::MemoryWord<halfspace::DepthStamp> depth_buffer[halfspace::DepthBuffer<halfspace::TopFormats>::kWords],
+    halfspace::MemoryWord<halfspace::Planes> database[halfspace::ShadingDatabase<halfspace::TopFormats>::kWords],
+    halfspace::Port<halfspace::Triangle>& triangle, halfspace::Port<halfspace::Visible>& visible);
+
+// From these memories to colours; the I-buffer is cleared.
+void back_top(
+    int width, int height, int red, int green, int blue,
+    halfspace::MemoryWord<halfspace::IndexStamp> index_buffer[halfspace::IndexBuffer<halfspace::TopFormats>::kWords],
+    halfspace::MemoryWord<halfspace::Planes> database[halfspace::ShadingDatabase<halfspace::TopFormats>::kWords],
+    halfspace::Port<halfspace::Pixel>& pixel);
+
+// Both, with the memories inside.
+void pipeline_top(int width, int height, int red, int green, int blue, halfspace::Port<halfspace::Triangle>& triangle,
+                  halfspace::Port<halfspace::Visible>& visible, halfspace::Port<halfspace::Pixel>& pixel);
 
 }  // extern "C"
 

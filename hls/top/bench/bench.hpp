@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "hls/top/ports.hpp"
+#include "hls/top/ports/ports.hpp"
 
 namespace halfspace {
 

@@ -7,8 +7,8 @@
 //
 // It takes a frame, from its first word to its last, and is then started again; one that cannot know its last word
 // takes one word and is started again at once. docs/port.md tells how to bring one to a tool.
-#ifndef HALFSPACE_HLS_TOP_PORTS_HPP_
-#define HALFSPACE_HLS_TOP_PORTS_HPP_
+#ifndef HALFSPACE_HLS_TOP_PORTS_PORTS_HPP_
+#define HALFSPACE_HLS_TOP_PORTS_PORTS_HPP_
 
 #include "hls/numbers/stream.hpp"
 // Whoever compiles a top names its configuration, and the file on the include path that has it: bare, as quotes do not
@@ -25,6 +25,7 @@
 #include "hls/formats/buffers.hpp"
 #include "hls/formats/key_records.hpp"
 #include "hls/formats/object_records.hpp"
+#include "hls/top/ports/port_pragmas.hpp"
 
 #ifndef HALFSPACE_TOP_CONFIG
 #define HALFSPACE_TOP_CONFIG Middle
@@ -33,22 +34,10 @@
 #define HALFSPACE_TOP_STAMP Stamp4
 #endif
 
-// The first lines of a top say what its ports are; Catapult and Bambu take it from their own files.
-#ifdef HS_PRAGMA
-#define HS_STREAM_PORT(name) HS_PRAGMA(HLS INTERFACE mode = axis port = name)
-#define HS_REGISTER_PORT(name) HS_PRAGMA(HLS INTERFACE mode = s_axilite port = name)
-#define HS_MEMORY_PORT(name) HS_PRAGMA(HLS INTERFACE mode = ap_memory port = name)
-#define HS_STARTED HS_PRAGMA(HLS INTERFACE mode = s_axilite port = return )
-#define HS_FREE_RUNNING HS_PRAGMA(HLS INTERFACE mode = ap_ctrl_none port = return )
-#else
-#define HS_STREAM_PORT(name)
-#define HS_REGISTER_PORT(name)
-#define HS_MEMORY_PORT(name)
-#define HS_STARTED
-#define HS_FREE_RUNNING
-#endif
-
 namespace halfspace {
+
+// So many triangles may be set up ahead of the Z-test, as in the RTL.
+constexpr int kTrianglesAhead = 512;
 
 using TopFormats = Formats<HALFSPACE_TOP_CONFIG, HALFSPACE_TOP_STAMP>;
 
@@ -91,4 +80,4 @@ inline Frame<TopFormats> background_frame(int red, int green, int blue) {
 
 }  // namespace halfspace
 
-#endif  // HALFSPACE_HLS_TOP_PORTS_HPP_
+#endif  // HALFSPACE_HLS_TOP_PORTS_PORTS_HPP_
