@@ -105,7 +105,7 @@ using Packed = Word<PackedBits<Record>::kWordBits>;
 
 template <class Record>
 HS_INLINE inline Packed<Record> packed(Record record) {
-  Packed<Record> word = Packed<Record>();
+  Packed<Record> word = zero_word<PackedBits<Record>::kWordBits>();
   packed_detail::Packer<PackedBits<Record>::kWordBits> packer(word, PackedBits<Record>::kBits);
   record.visit(packer);
   return word;

@@ -5,6 +5,7 @@
 //   bits<N>(word, lsb)             N of its bits, from place `lsb` on; N is 1 … 64
 //   set_bits<N>(word, lsb, value)  the inverse, of the N lowest bits of `value`
 //   word_bits(n)                   the width of a word for n bits: what is above them is 0
+//   zero_word<W>()                 of zeros: a tool's own has no value before it is given one
 #ifndef HALFSPACE_HLS_NUMBERS_WORD_HPP_
 #define HALFSPACE_HLS_NUMBERS_WORD_HPP_
 
@@ -27,6 +28,10 @@ template <int N, int W>
 HS_INLINE inline void set_bits(Word<W>& word, int lsb, std::uint64_t value) {
   word.set_slc(lsb, ac_int<N, false>(value));
 }
+template <int W>
+HS_INLINE inline Word<W> zero_word() {
+  return Word<W>(0);
+}
 }  // namespace halfspace
 #elif defined(HALFSPACE_STREAM_HLS) || defined(__VITIS_HLS__)
 #include <ap_int.h>
@@ -44,6 +49,10 @@ template <int N, int W>
 HS_INLINE inline void set_bits(Word<W>& word, int lsb, std::uint64_t value) {
   word.range(lsb + N - 1, lsb) = ap_uint<N>(value);
 }
+template <int W>
+HS_INLINE inline Word<W> zero_word() {
+  return Word<W>(0);
+}
 }  // namespace halfspace
 #else
 namespace halfspace {
@@ -60,6 +69,10 @@ struct Word {
     return equal;
   }
 };
+template <int W>
+HS_INLINE inline Word<W> zero_word() {
+  return Word<W>();
+}
 
 template <int N, int W>
 HS_INLINE inline std::uint64_t bits(const Word<W>& word, int lsb) {

@@ -77,7 +77,7 @@ class Bench {
   }
   template <class R>
   static Packed<R> word_of(const std::string& line) {
-    Packed<R> word = Packed<R>();
+    Packed<R> word = zero_word<PackedBits<R>::kWordBits>();
     for (int i = 0; i < PackedBits<R>::kBits; ++i) {
       const std::size_t digit = std::size_t(i / 4);
       const int value = digit < line.size() ? nibble(line[line.size() - 1 - digit]) : 0;

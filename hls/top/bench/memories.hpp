@@ -12,8 +12,8 @@ struct Drawn {
   using F = TopFormats;
 
   void clear() {
-    for (MemoryWord<IndexStamp>& word : index) word = MemoryWord<IndexStamp>();
-    for (MemoryWord<DepthStamp>& word : depth) word = MemoryWord<DepthStamp>();
+    for (MemoryWord<IndexStamp>& word : index) word = packed(IndexStamp<F>{});
+    for (MemoryWord<DepthStamp>& word : depth) word = packed(DepthStamp<F>{});
   }
   void draw(const std::vector<Update<F>>& updates) {
     for (const Update<F>& update : updates) {
