@@ -52,7 +52,8 @@ class Unpacker {
   HS_INLINE void lanes(const char* name, T (&values)[N]) {
   Lanes:
     for (std::size_t l = N; l > 0; --l) {
-      HS_UNROLL (*this)(name, values[l - 1]);
+      HS_UNROLL
+      operator()(name, values[l - 1]);
     }
   }
 
@@ -74,7 +75,8 @@ class Packer {
   HS_INLINE void lanes(const char* name, const T (&values)[N]) {
   Lanes:
     for (std::size_t l = N; l > 0; --l) {
-      HS_UNROLL (*this)(name, values[l - 1]);
+      HS_UNROLL
+      operator()(name, values[l - 1]);
     }
   }
 

@@ -16,7 +16,8 @@ EXPECTED = {"raster_pineda": "stamp", "raster_pineda_plane": "triangle_depth", "
             "shade_setup": "planes",
             "shade_setup_lit": "planes", "light_vertex": "colours", "phong_setup": "planes",
             "texture_setup": "texture_planes", "motion_setup": "motion_planes", "scan_index": "scan",
-            "motion_field": "motion", "ztest_merge": "found", "motion_compensate": "compensated"}
+            "motion_field": "motion", "ztest_merge": "found", "motion_compensate": "compensated",
+            "front": "visible", "back": "pixel", "pipeline": "pixel"}
 
 
 def run(bench, top, folder):
