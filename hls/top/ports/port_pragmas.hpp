@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the first lines of a top say of its ports. Of a composed one HS_DEPTH says how many words a channel has; where
-// HS_DATAFLOW is defined the pragma of that name stands in it, as Bambu takes none from a macro. Catapult and Bambu take
-// the ports from their own files.
+// HS_DATAFLOW is defined the pragma of that name stands in it, as Bambu takes none from a macro. Catapult and Bambu
+// take the ports from their own files.
 #ifndef HALFSPACE_HLS_TOP_PORTS_PORT_PRAGMAS_HPP_
 #define HALFSPACE_HLS_TOP_PORTS_PORT_PRAGMAS_HPP_
 
