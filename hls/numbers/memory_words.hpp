@@ -56,7 +56,10 @@ template <class R, class T, std::size_t N>
 HS_INLINE inline void store_lanes(Words<R>& memory, int address, const T (&lanes)[N]) {
   R word;
 Lanes:
-  for (std::size_t l = 0; l < N; ++l) word.lane[l] = lanes[l];
+  for (std::size_t l = 0; l < N; ++l) {
+    HS_UNROLL
+    word.lane[l] = lanes[l];
+  }
   memory[address] = word;
 }
 

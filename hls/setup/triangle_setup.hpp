@@ -158,7 +158,7 @@ bool triangle_setup(const Frame<F>& frame, Stream<Triangle<F>>& triangle, Stream
     const Coord py = Coord(shift_left(y_start, F::kLog2LanesY)) + half_pixel<F>();
 
     Coord xs[3] = {x[0], x[1], x[2]}, ys[3] = {y[0], y[1], y[2]};
-  Edges:
+  EdgeTurns:
     HS_IN_TURN for (int i = 0; i < 3; ++i) {
       HS_PIPELINE(1)
       const typename F::Delta dx = xs[1] - xs[0], dy = ys[1] - ys[0];

@@ -14,7 +14,8 @@ TOPS := $(shell sed '/^\#/d; s/ .*//' $(ROOT)/hls/top/tops.txt)
 ROW := $(shell awk '$$1 == "$(TOP)"' $(ROOT)/hls/top/tops.txt)
 SCENE := $(word 2,$(ROW))
 CONFIG ?= $(word 3,$(ROW))
-FILES := $(TOP:%=$(ROOT)/hls/top/%_top.cpp) $(patsubst %,$(ROOT)/hls/top/%_top.cpp,$(wordlist 4,99,$(ROW)))
+# A composed top includes the others, so that it is one file as well.
+FILE := $(TOP:%=$(ROOT)/hls/top/%_top.cpp)
 ifneq ($(TOP),)
 ifeq ($(ROW),)
 $(error TOP=$(TOP): the tops are $(TOPS))
@@ -32,7 +33,7 @@ DEFINES += $(if $(HEADER),-DHALFSPACE_TOP_HEADER=$(notdir $(HEADER)))
 INCLUDES := -I$(ROOT) $(if $(HEADER),-I$(OUT)/headers)
 VECTORS := $(OUT)/vectors/$(NAME).$(SCENE).$(LANES)
 # What a tool reads of the project: a change means another run.
-READ := $(FILES) $(BENCH) $(HEADER) $(shell find $(ROOT)/hls -name '*.hpp')
+READ := $(FILE) $(BENCH) $(HEADER) $(shell find $(ROOT)/hls -name '*.hpp' -o -name '*_top.cpp')
 
 # The first target of a makefile for a tool.
 .PHONY: help known program

@@ -62,14 +62,13 @@ class Tools:
 
 def needs(row, stream, driven=True):
     """Of a run: what it is, and an expression for it."""
-    top, scene, config, *parts = row
+    top, scene, config = row
     stem = pathlib.Path(config).stem
     yield "its macro for streams", rf"-DHALFSPACE_STREAM_{stream}\b"
     yield "its configuration", rf"-DHALFSPACE_TOP_CONFIG={''.join(map(str.capitalize, stem.split('_')))}\b"
     if config.endswith(".toml"):
         yield "its header", rf"-DHALFSPACE_TOP_HEADER={stem}\.hpp\b"
-    for part in [top, *parts]:
-        yield f"the source of {part}", rf"/hls/top/{part}_top\.cpp\b"
+    yield "its source", rf"/hls/top/{top}_top\.cpp\b"
     if driven:
         yield "its bench", rf"-DHALFSPACE_BENCH={top}\b"
         yield "its vectors", rf"/vectors/{stem}\.{scene}\.1\b"

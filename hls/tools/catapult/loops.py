@@ -8,7 +8,7 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
-LOOP = re.compile(r"^ *(\w+):\n *(?:HS_\w+ )?(?:for|while) \([^\n]*\n *(?:HS_PIPELINE\((\d+)\)|HS_(UNROLL)$)?", re.M)
+LOOP = re.compile(r"^ *(\w+):\n *(?:HS_\w+ )?(?:for|while) \([^\n]*\n *(?:HS_PIPELINE\((\d+)\)|HS_(UNROLL)\b)?", re.M)
 INCLUDE = re.compile(r'^#include "(hls/[^"]+)"', re.M)
 
 

@@ -16,10 +16,10 @@ solution options defaults
 solution options set /Input/CppStandard c++14
 solution options set /Input/SearchPath $env(FOLDERS)
 solution options set /Input/CompilerFlags $env(FLAGS)
-foreach file $env(FILES) { solution file add $file -type C++ }
+solution file add $env(FILE) -type C++
 
 go analyze
-directive set -DESIGN_HIERARCHY $design
+directive set -DESIGN_HIERARCHY [concat $design $env(BLOCKS)]
 go compile
 
 solution library add {*}$library

@@ -3,7 +3,7 @@
 # the sources.
 open_project -reset $env(TOP)
 set_top $env(TOP)_top
-foreach file $env(FILES) { add_files $file -cflags $env(FLAGS) }
+add_files $env(FILE) -cflags $env(FLAGS)
 foreach file $env(BENCH) { add_files -tb $file -cflags $env(BENCH_FLAGS) }
 
 open_solution -reset -flow_target vivado $env(PART)
