@@ -1,30 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
 // Composed of the tops of units, in one translation unit with them: Bambu composes what it sees at once. A memory that
 // two processes reach is in a process of both, which draws a frame and then scans it, or stores it and then shades it.
+#include "hls/shade/scan_index.hpp"
 #include "hls/shade/shade_gouraud.hpp"
 #include "hls/top/raster_pineda_top.cpp"
-#include "hls/top/scan_index_top.cpp"
-#include "hls/top/shade_gouraud_top.cpp"
 #include "hls/top/shade_setup_top.cpp"
 #include "hls/top/triangle_setup_top.cpp"
-#include "hls/top/ztest_index_top.cpp"
+#include "hls/ztest/ztest_index.hpp"
 
 namespace {
 
 void draw_process(int width, int height, Port<Stamp>& stamp, Port<Visible>& visible, Port<Scan>& scan) {
-  static MemoryWord<IndexStamp> index_buffer[IndexBuffer<TopFormats>::kWords];
-  static MemoryWord<DepthStamp> depth_buffer[DepthBuffer<TopFormats>::kWords];
-  ztest_index_top(index_buffer, depth_buffer, stamp, visible);
-  scan_index_top(width, height, index_buffer, scan);
+  using F = TopFormats;
+  static_assert(!F::kTestsPlanes, "type γ has no Z-buffer");
+  static MemoryWord<IndexStamp> index_words[IndexBuffer<F>::kWords];
+  static MemoryWord<DepthStamp> depth_words[DepthBuffer<F>::kWords];
+  IndexBuffer<F> index_buffer = {Words<IndexStamp<F>>(index_words)};
+  DepthBuffer<F> depth_buffer = {Words<DepthStamp<F>>(depth_words)};
+  View<Stamp> stamp_words(stamp);
+  View<Visible> visible_words(visible);
+  View<Scan> scan_words(scan);
+  Probe<Update<F>> update;
+  ztest_index_frame(stamp_words, index_buffer, depth_buffer, update, visible_words);
+  scan_index_frame(top_frame(width, height), index_buffer, scan_words);
 }
 
 void shade_process(int red, int green, int blue, Port<Planes>& planes, Port<Scan>& scan, Port<Pixel>& pixel) {
-  static MemoryWord<Planes> database[ShadingDatabase<TopFormats>::kWords];
-  ShadingDatabase<TopFormats> view = {Words<Planes<TopFormats>>(database)};
-  View<Planes> words(planes);
+  using F = TopFormats;
+  static MemoryWord<Planes> words[ShadingDatabase<F>::kWords];
+  ShadingDatabase<F> database = {Words<Planes<F>>(words)};
+  View<Planes> planes_words(planes);
+  View<Scan> scan_words(scan);
+  View<Pixel> pixel_words(pixel);
 Words:
-  while (!store_planes(words, view)) {}
-  shade_gouraud_top(red, green, blue, database, scan, pixel);
+  while (!store_planes(planes_words, database)) {}
+  shade_gouraud_frame(background_frame(red, green, blue), scan_words, database, pixel_words);
 }
 
 class Pipeline {
