@@ -4,7 +4,7 @@
 #ifndef HALFSPACE_TESTS_TOP_STAND_IN_AC_CHANNEL_H_
 #define HALFSPACE_TESTS_TOP_STAND_IN_AC_CHANNEL_H_
 
-#include "word_queue.hpp"
+#include "tests/top/stand_in/word_queue.hpp"
 
 template <class T>
 class ac_channel {

@@ -4,7 +4,7 @@
 #ifndef HALFSPACE_TESTS_TOP_STAND_IN_AC_INT_H_
 #define HALFSPACE_TESTS_TOP_STAND_IN_AC_INT_H_
 
-#include "word_bits.hpp"
+#include "tests/top/stand_in/word_bits.hpp"
 
 template <int W, bool Signed>
 class ac_int {
@@ -23,6 +23,7 @@ class ac_int {
     bits_.set(lsb, N, slice.to_uint64());
     return *this;
   }
+  bool operator==(const ac_int& other) const { return bits_ == other.bits_; }
   // The 64 lowest bits.
   std::uint64_t to_uint64() const { return bits_.get(0, W < 64 ? W : 64); }
 

@@ -4,7 +4,7 @@
 #ifndef HALFSPACE_TESTS_TOP_STAND_IN_AP_INT_H_
 #define HALFSPACE_TESTS_TOP_STAND_IN_AP_INT_H_
 
-#include "word_bits.hpp"
+#include "tests/top/stand_in/word_bits.hpp"
 
 template <int W>
 class ap_uint;
@@ -36,6 +36,7 @@ class ap_uint {
   ap_range_ref<W> range(int hi, int lo) { return {bits_, hi, lo}; }
   // As in the library, of a constant as well.
   ap_range_ref<W> range(int hi, int lo) const { return {const_cast<stand_in::WordBits<W>&>(bits_), hi, lo}; }
+  bool operator==(const ap_uint& other) const { return bits_ == other.bits_; }
   // The 64 lowest bits.
   std::uint64_t to_uint64() const { return bits_.get(0, W < 64 ? W : 64); }
 

@@ -4,7 +4,7 @@
 #ifndef HALFSPACE_TESTS_TOP_STAND_IN_HLS_STREAM_H_
 #define HALFSPACE_TESTS_TOP_STAND_IN_HLS_STREAM_H_
 
-#include "word_queue.hpp"
+#include "tests/top/stand_in/word_queue.hpp"
 
 namespace hls {
 

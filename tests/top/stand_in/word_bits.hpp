@@ -14,11 +14,13 @@ template <int W>
 struct WordBits {
   static_assert(W > 0, "a word has bits");
 
-  // A variable has no value before it is given one: whoever takes it for zero has these instead.
+  // A word has no value before it is given one, unless it is static, and so zero. Whoever takes a variable of a
+  // function for zero has this instead.
   WordBits() {
-    for (int i = 0; i < W; ++i) set(i, 1, i % 3 != 0);
+    if (!on_stack()) return;
+    for (std::uint64_t& of : element) of = 0x9249249249249249;
   }
-  explicit WordBits(std::uint64_t value) {
+  explicit WordBits(std::uint64_t value) : element{} {
     for (int i = 0; i < W; ++i) set(i, 1, i < 64 ? value >> i : 0);
   }
 
@@ -37,14 +39,26 @@ struct WordBits {
       of = (of & ~(std::uint64_t(1) << place)) | (value >> i & 1) << place;
     }
   }
+  bool operator==(const WordBits& other) const {
+    for (int i = 0; i < W; ++i) {
+      if (get(i, 1) != other.get(i, 1)) return false;
+    }
+    return true;
+  }
 
  private:
+  // Near a variable of this function.
+  bool on_stack() const {
+    const char here = 0;
+    const auto a = reinterpret_cast<std::uintptr_t>(this), b = reinterpret_cast<std::uintptr_t>(&here);
+    return (a > b ? a - b : b - a) < (std::uintptr_t(1) << 20);
+  }
   static void check(int lsb, int count) {
     (void)lsb, (void)count;
     assert(lsb >= 0 && count > 0 && count <= 64 && lsb + count <= W && "bits that the word has not");
   }
 
-  std::uint64_t element[(W + 63) / 64] = {};
+  std::uint64_t element[(W + 63) / 64];
 };
 
 }  // namespace stand_in
