@@ -16,8 +16,11 @@ CMAKE, SOURCE, BUILD = sys.argv[1], pathlib.Path(sys.argv[2]).resolve(), sys.arg
 CONSUMER = pathlib.Path(__file__).resolve().parent / "consumer"
 COMPILERS = [name for name in ("g++", "clang++") if shutil.which(name)]
 # What a macro of the user's asks for (docs/types.md), and the headers that do so.
-CHOSEN = ("systemc", "ap_fixed.h", "ac_fixed.h", "hls_stream.h", "ac_channel.h")
-BACK_ENDS = ("stream_bounded.hpp", "fixed_systemc.hpp", "fixed_ap.hpp", "fixed_ac.hpp")
+CHOSEN = ("systemc", "ap_fixed.h", "ac_fixed.h", "ap_int.h", "ac_int.h", "hls_stream.h", "ac_channel.h")
+BACK_ENDS = ("stream_bounded.hpp", "stream_words.hpp", "memory_words.hpp", "fixed_systemc.hpp", "fixed_ap.hpp",
+             "fixed_ac.hpp")
+# With streams of words, and templates that a program with tops calls.
+OF_TOPS = "hls/top/"
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)', re.MULTILINE)
 EXPECTED = "2016 green pixels\n"
 
@@ -94,10 +97,14 @@ class Consumer(unittest.TestCase):
                 elif name not in CHOSEN:
                     self.assertRegex(name, "^[a-z_]+$", f"{header}: that is no header of the standard library")
         together = self.work / "all.cpp"
-        together.write_text("".join(f'#include "{path}"\n' for path in headers if path.name not in BACK_ENDS))
-        for compiler in COMPILERS:
-            run(compiler, "-std=c++14", "-Wall", "-Wextra", "-Werror", "-Wno-unused-label", "-fno-exceptions",
-                "-fsyntax-only", f"-I{root}", together)
+        of_tops = [path for path in headers if str(path).startswith(OF_TOPS)]
+        self.assertTrue(of_tops)
+        for paths, macros in (([path for path in headers if path not in of_tops], ()),
+                              (of_tops, ("-DHALFSPACE_STREAM_WORDS",))):
+            together.write_text("".join(f'#include "{path}"\n' for path in paths if path.name not in BACK_ENDS))
+            for compiler in COMPILERS:
+                run(compiler, "-std=c++14", "-Wall", "-Wextra", "-Werror", "-Wno-unused-label", "-fno-exceptions",
+                    *macros, "-fsyntax-only", f"-I{root}", together)
 
     def test_part_of_another_project(self):
         """add_subdirectory, as FetchContent does it, takes the kernels alone."""

@@ -39,6 +39,9 @@ echo "  Total cycles             : 1091 cycles"
 echo "  Number of executions     : 4"
 """
 
+OF_MAKE = ("MAKEFLAGS", "MFLAGS", "MAKELEVEL", "MAKEOVERRIDES", "BUILD", "SCENE", "CONFIG", "LANES", "SIZE", "TIME",
+           "SEED", "STALL", "UNIT", "JOBS")
+
 
 class Tools:
     """A copy of the scripts and of what they read."""
@@ -59,10 +62,12 @@ class Tools:
     def make(self, tool, target, **variables):
         """What it printed, or why it failed."""
         words = [f"{name}={value}" for name, value in variables.items()]
+        # Beneath `make test` are its own options and its CONFIG, LANES and more.
+        environment = {name: value for name, value in os.environ.items() if name not in OF_MAKE}
         run = subprocess.run(
             ["make", "-s", "-C", self.folder / "hls/tools" / tool, target, f"HALFSPACE={self.folder}/bin/halfspace",
              f"VITIS_HLS={self.tclsh} {STUB} vitis", f"CATAPULT={self.tclsh} {STUB} catapult", *words],
-            env={**os.environ, "PATH": f"{self.folder}/bin:{os.environ['PATH']}"}, capture_output=True, text=True)
+            env={**environment, "PATH": f"{self.folder}/bin:{os.environ['PATH']}"}, capture_output=True, text=True)
         return run.stdout if run.returncode == 0 else f"failed: {run.stdout}{run.stderr}"
 
     def written(self, pattern):
