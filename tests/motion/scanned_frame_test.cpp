@@ -7,6 +7,7 @@
 
 #include "hls/motion/motion_field.hpp"
 #include "hls/texture/shade_texture.hpp"
+#include "tests/formats/record_fields.hpp"
 #include "tests/motion/motion_configs.hpp"
 #include "tests/texture/textured_configs.hpp"
 
@@ -15,39 +16,6 @@ namespace {
 
 std::mt19937_64 random_bits(11);
 
-// Any bits in every field.
-struct Randomize {
-  template <class T>
-  void operator()(const char*, T& field) {
-    field = from_raw<T>(random_bits());
-  }
-  template <class T, std::size_t N>
-  void lanes(const char* name, T (&fields)[N]) {
-    for (T& field : fields) (*this)(name, field);
-  }
-};
-
-struct Fields {
-  std::vector<std::int64_t> values;
-  template <class T>
-  void operator()(const char*, const T& field) {
-    values.push_back(std::int64_t(raw(field)));
-  }
-  template <class T, std::size_t N>
-  void lanes(const char* name, const T (&fields)[N]) {
-    for (const T& field : fields) (*this)(name, field);
-  }
-};
-template <class T>
-std::vector<std::int64_t> drain(Stream<T>& stream) {
-  Fields fields;
-  while (!stream.empty()) {
-    T word = stream.read();
-    word.visit(fields);
-  }
-  return fields.values;
-}
-
 constexpr int kStamps = 400, kNames = 5;
 
 // Stamps of few triangles; of every third one at most a lane is covered, as the last one is not at all if `ends_empty`.
@@ -55,7 +23,7 @@ template <class F>
 std::vector<Scan<F>> stamps(bool ends_empty) {
   std::vector<Scan<F>> result(kStamps);
   for (Scan<F>& stamp : result) {
-    stamp.visit(Randomize());
+    stamp.visit(Randomize{random_bits});
     for (auto& index : stamp.index) index = from_raw<typename F::Index>(random_bits() % kNames);
     const bool is_last = &stamp == &result.back();
     stamp.last = from_raw<Bit>(is_last);
@@ -74,7 +42,7 @@ void expect_texture(bool ends_empty) {
   const auto table = std::make_unique<TextureTable<F>>();
   const auto memory = std::make_unique<TextureMemory<F>>();
   for (int n = 0; n < kNames; ++n) {
-    database->planes[n].visit(Randomize());
+    database->planes[n].visit(Randomize{random_bits});
     database->planes[n].texture = from_raw<typename F::TextureNumber>(n);
     table->entry[n].log2_width = table->entry[n].log2_height = from_raw<typename F::Side>(3);
     table->entry[n].base = from_raw<typename F::TexelAddress>(64 * n);
@@ -86,7 +54,7 @@ void expect_texture(bool ends_empty) {
   Stream<Pixel<F>> lit_one, lit_whole, of_one, of_whole;
   for (const Scan<F>& stamp : stamps<F>(ends_empty)) {
     Pixel<F> lit;
-    lit.visit(Randomize());
+    lit.visit(Randomize{random_bits});
     one.write(stamp), whole.write(stamp);
     lit_one.write(lit), lit_whole.write(lit);
   }
@@ -109,7 +77,7 @@ template <class F>
 void expect_motion(bool ends_empty) {
   const auto database = std::make_unique<MotionDatabase<F>>();
   for (int n = 0; n < kNames; ++n) {
-    database->planes[n].visit(Randomize());
+    database->planes[n].visit(Randomize{random_bits});
     for (auto& key : database->planes[n].key) key.extent = from_raw<typename F::Extent>(random_bits() % 8);
   }
   Stream<Scan<F>> one, whole;

@@ -9,34 +9,10 @@
 #include "hls/formats/configs/middle.hpp"
 #include "hls/pipeline/front.hpp"
 #include "hls/shade/scan_index.hpp"
+#include "tests/formats/record_fields.hpp"
 
 namespace halfspace::tests {
 namespace {
-
-// Fields of a word in the order of visit(): what two words are compared by.
-struct Fields {
-  std::vector<std::int64_t> values;
-  template <class T>
-  void operator()(const char*, const T& field) {
-    values.push_back(std::int64_t(raw(field)));
-  }
-  template <class T, std::size_t N>
-  void lanes(const char* name, const T (&fields)[N]) {
-    for (const T& field : fields) (*this)(name, field);
-  }
-};
-template <class T>
-std::vector<std::int64_t> fields_of(std::vector<T> words) {
-  Fields fields;
-  for (T& word : words) word.visit(fields);
-  return fields.values;
-}
-template <class T>
-std::vector<std::int64_t> drain(Stream<T>& stream) {
-  std::vector<T> words;
-  while (!stream.empty()) words.push_back(stream.read());
-  return fields_of(words);
-}
 
 template <class F>
 struct Unit {

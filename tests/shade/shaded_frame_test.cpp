@@ -9,6 +9,7 @@
 #include "hls/formats/configs/middle.hpp"
 #include "hls/shade/shade_gouraud.hpp"
 #include "hls/shade/shade_phong.hpp"
+#include "tests/formats/record_fields.hpp"
 
 namespace halfspace::tests {
 namespace {
@@ -25,20 +26,9 @@ struct PhongThree {
 
 std::mt19937_64 random_bits(7);
 
-// Any bits in every field.
-struct Randomize {
-  template <class T>
-  void operator()(const char*, T& field) {
-    field = from_raw<T>(random_bits());
-  }
-  template <class T, std::size_t N>
-  void lanes(const char* name, T (&fields)[N]) {
-    for (T& field : fields) (*this)(name, field);
-  }
-};
 template <class T>
 void randomize(T& record) {
-  record.visit(Randomize());
+  record.visit(Randomize{random_bits});
 }
 
 constexpr int kStamps = 500, kNames = 6;
@@ -53,27 +43,6 @@ std::vector<Scan<F>> stamps() {
     stamp.last = from_raw<Bit>(&stamp == &result.back());
   }
   return result;
-}
-
-struct Fields {
-  std::vector<std::int64_t> values;
-  template <class T>
-  void operator()(const char*, const T& field) {
-    values.push_back(std::int64_t(raw(field)));
-  }
-  template <class T, std::size_t N>
-  void lanes(const char* name, const T (&fields)[N]) {
-    for (const T& field : fields) (*this)(name, field);
-  }
-};
-template <class F>
-std::vector<std::int64_t> drain(Stream<Pixel<F>>& stream) {
-  Fields fields;
-  while (!stream.empty()) {
-    Pixel<F> word = stream.read();
-    word.visit(fields);
-  }
-  return fields.values;
 }
 
 // shade: one call; shade_frame: one call for all.
