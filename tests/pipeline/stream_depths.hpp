@@ -14,10 +14,9 @@
 #ifndef HALFSPACE_TESTS_PIPELINE_STREAM_DEPTHS_HPP_
 #define HALFSPACE_TESTS_PIPELINE_STREAM_DEPTHS_HPP_
 
-namespace halfspace {
+#include "hls/formats/triangles_ahead.hpp"
 
-// So many triangles may wait for their `visible` with any formats: setups and, deferred, attributes of them all fit.
-constexpr int kTrianglesAhead = 512;
+namespace halfspace {
 
 // clang-format off
 #define HS_STREAM_DEPTHS(X)                                                                                     \

@@ -25,6 +25,7 @@
 #include "hls/formats/buffers.hpp"
 #include "hls/formats/key_records.hpp"
 #include "hls/formats/object_records.hpp"
+#include "hls/formats/triangles_ahead.hpp"
 #include "hls/top/ports/port_pragmas.hpp"
 
 #ifndef HALFSPACE_TOP_CONFIG
@@ -35,9 +36,6 @@
 #endif
 
 namespace halfspace {
-
-// So many triangles may be set up ahead of the Z-test, as in the RTL.
-constexpr int kTrianglesAhead = 512;
 
 using TopFormats = Formats<HALFSPACE_TOP_CONFIG, HALFSPACE_TOP_STAMP>;
 
