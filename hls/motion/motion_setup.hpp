@@ -21,13 +21,7 @@ HS_SHARED void place_planes(const PlaneBase<F>& base, const VertexOrder& order, 
   put_in_order(given.t, order, place[1]);
   put_in_order(given.q, order, place[2]);
   const auto places = channel_planes<F, typename F::CoordinateChannel>(base, place, F::kPerspective ? 3 : 2);
-Places:
-  for (int i = 0; i < 3; ++i) {
-    HS_UNROLL
-    out.start[i] = places.of[i].start;
-    out.dx[i] = places.of[i].dx;
-    out.dy[i] = places.of[i].dy;
-  }
+  put_planes(places, out.start, out.dx, out.dy);
 }
 template <class F>
 HS_SHARED void difference_planes(const PlaneBase<F>& base, const VertexOrder& order, const KeyPlaces<F>& given,
@@ -37,13 +31,7 @@ HS_SHARED void difference_planes(const PlaneBase<F>& base, const VertexOrder& or
   put_in_order(given.g, order, difference[1]);
   put_in_order(given.b, order, difference[2]);
   const auto differences = channel_planes<F, typename F::DifferenceChannel>(base, difference);
-Differences:
-  for (int i = 0; i < 3; ++i) {
-    HS_UNROLL
-    out.colour[i] = differences.of[i].start;
-    out.colour_dx[i] = differences.of[i].dx;
-    out.colour_dy[i] = differences.of[i].dy;
-  }
+  put_planes(differences, out.colour, out.colour_dx, out.colour_dy);
 }
 template <class F>
 KeyPlanes<F> key_planes(const PlaneBase<F>& base, const VertexOrder& order, const KeyPlaces<F>& given) {

@@ -143,6 +143,19 @@ Channels:
   return planes;
 }
 
+// The numbers of three planes into the fields of a record.
+template <class F, class Channel>
+HS_INLINE inline void put_planes(const ChannelPlanes<F, Channel>& planes, typename Channel::PlaneValue (&start)[3],
+                                 typename Channel::Gradient (&dx)[3], typename Channel::Gradient (&dy)[3]) {
+Planes:
+  for (int i = 0; i < 3; ++i) {
+    HS_UNROLL
+    start[i] = planes.of[i].start;
+    dx[i] = planes.of[i].dx;
+    dy[i] = planes.of[i].dy;
+  }
+}
+
 }  // namespace halfspace
 
 #endif  // HALFSPACE_HLS_SETUP_PLANE_HPP_

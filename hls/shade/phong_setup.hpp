@@ -49,13 +49,7 @@ bool phong_setup(Stream<Attributes<F>>& attributes, Stream<Normals<F>>& normals,
     offset_components<F>(given.y, order, component[1]);
     offset_components<F>(given.z, order, component[2]);
     const auto plane = channel_planes<F, typename F::NormalChannel>(base, component);
-  Components:
-    for (int i = 0; i < 3; ++i) {
-      HS_UNROLL
-      out.start[i] = plane.of[i].start;
-      out.dx[i] = plane.of[i].dx;
-      out.dy[i] = plane.of[i].dy;
-    }
+    put_planes(plane, out.start, out.dx, out.dy);
   }
   planes.write(out);
   return is_set(in.last);

@@ -31,13 +31,7 @@ bool texture_setup(Stream<Attributes<F>>& attributes, Stream<TextureCoordinates<
     put_in_order(given.q, order, component[2]);
     const auto of_coordinates =
         channel_planes<F, typename F::CoordinateChannel>(base, component, F::kPerspective ? 3 : 2);
-  Components:
-    for (int i = 0; i < 3; ++i) {
-      HS_UNROLL
-      out.start[i] = of_coordinates.of[i].start;
-      out.dx[i] = of_coordinates.of[i].dx;
-      out.dy[i] = of_coordinates.of[i].dy;
-    }
+    put_planes(of_coordinates, out.start, out.dx, out.dy);
   }
   planes.write(out);
   return is_set(in.last);
