@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "cli/commands.hpp"
+#include "cli/common/output.hpp"
 #include "cli/common/progress.hpp"
 #include "ref/geometry/triangle_list.hpp"
 #include "study/bounds/bounds.hpp"
@@ -184,7 +185,7 @@ void add_bounds(CLI::App& app, int& status) {
   command->add_option("--gappa", options->gappa, "folder for the proofs as Gappa scripts");
   command->add_flag("--markdown", options->markdown, "the tables in Markdown");
   command->add_flag("--verbose", options->verbose, "the worst triangles as .tri files as well");
-  command->add_option("--json", options->json, "file for the numbers");
+  add_json(command, options->json);
   command->callback([options, &status] { status = bounds(*options); });
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "cli/commands.hpp"
+#include "cli/common/output.hpp"
 #include "ref/error.hpp"
 #include "vectors/dump.hpp"
 #include "vectors/staging.hpp"
@@ -48,7 +49,7 @@ void add_compare(CLI::App& app, int& status) {
   command->footer("Exit status 0: equal; 1: they differ, or cannot be read.\n");
   command->add_option("A", options->a, "folder of a dump or a vector set")->required();
   command->add_option("B", options->b, "another of the same kind")->required();
-  command->add_option("--json", options->json, "file for the numbers");
+  add_json(command, options->json);
   command->callback([options, &status] { status = compare(options->a, options->b, options->json); });
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "cli/commands.hpp"
+#include "cli/common/output.hpp"
 #include "model/formats/configuration.hpp"
 #include "model/formats/format_fields.hpp"
 #include "model/package/package.hpp"
@@ -97,10 +98,10 @@ void add_config(CLI::App& app, int&) {
       "command\n"
       "takes its path in the place of a name. A combination that cannot be built is refused with its reason.\n");
   command->add_option("CONFIG", options->configurations, "low, middle, high or .toml files")->capture_default_str();
-  command->add_option("--header", options->header, "C++ header to write, for hls/formats/configs/");
-  command->add_option("--toml", options->toml, "TOML file to write");
+  add_output_file(command, "--header", options->header, "C++ header to write, for hls/formats/configs/");
+  add_output_file(command, "--toml", options->toml, "TOML file to write");
   command->add_flag("--markdown", options->markdown, "the table in Markdown");
-  command->add_option("--json", options->json, "file for the numbers");
+  add_json(command, options->json);
   command->callback([options] { config(*options); });
 }
 
@@ -109,7 +110,7 @@ void add_package(CLI::App& app, int&) {
   auto output = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand("package", "print the SystemVerilog package of a configuration");
   command->add_option("--config", *config, "low, middle, high or a .toml file")->capture_default_str();
-  command->add_option("-o,--output", *output, "file to write; default: standard output");
+  add_output_file(command, "-o,--output", *output, "file to write; default: standard output");
   command->callback([config, output] {
     const std::string text = model::formats_package(model::find_configuration(*config));
     if (output->empty()) std::fputs(text.c_str(), stdout);

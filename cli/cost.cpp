@@ -8,6 +8,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/common/numbers.hpp"
+#include "cli/common/output.hpp"
 #include "cli/common/sequence.hpp"
 #include "model/drivers/up_convert.hpp"
 #include "model/pipeline/cycles.hpp"
@@ -263,7 +264,7 @@ void add_cost(CLI::App& app, int&) {
   command->add_option("--lights", options->lights, "of Phong shading, 1 to 4")
       ->capture_default_str()
       ->check(CLI::Range(1, 4));
-  command->add_option("--json", options->json, "file for the numbers");
+  add_json(command, options->json);
   command->callback([options] { cost(*options); });
 }
 

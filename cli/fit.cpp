@@ -5,10 +5,12 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "cli/commands.hpp"
 #include "cli/common/area.hpp"
 #include "cli/common/cosim.hpp"
+#include "cli/common/output.hpp"
 #include "cli/common/progress.hpp"
 #include "cli/common/scene_frames.hpp"
 #include "cli/plots/picture.hpp"
@@ -176,6 +178,8 @@ Json prove(const FitOptions& options, const FitScene& scene, const Fit& fit, con
 
 void fit(const FitOptions& options) {
   const std::vector<std::string> targets = area_targets(options.area);
+  std::optional<model::StagedFile> output;  // before the work: whether it can be written
+  if (!options.output.empty()) output.emplace(options.output);
   const FitScene scene = load_frames(options.input);
   const model::Requirements needed = model::requirements(scene);
   print(needed, scene);
@@ -199,9 +203,10 @@ void fit(const FitOptions& options) {
   }
   print_numbers(found, high);
   const std::string work = options.work.empty() ? "fit_" + name : options.work;
+  model::make_folder(work);
   const Json area = compare_area(found, high, targets, work);
   const Json proof = prove(options, scene, found, work);
-  if (!options.output.empty()) model::write_file(options.output, model::configuration_toml(found.configuration));
+  if (output) output->write(model::configuration_toml(found.configuration)), output->commit();
 
   Json less = Json::array();
   for (const auto& one : found.less) less.push_back({{"change", one.change}, {"result", one.result}});
@@ -252,12 +257,12 @@ void add_fit(CLI::App& app, int&) {
                     "let pixels know their objects, for static objects buffers, where some move, some stand still, and "
                     "it saves cycles");
   command->add_option("--lanes", options->lanes, "pixels a cycle; default: the fewest");
-  command->add_option("-o,--output", options->output, "configuration to write");
+  add_output_file(command, "-o,--output", options->output, "configuration to write");
   command->add_option("--work", options->work, "folder for the bench and the vectors; default: fit_NAME");
   command->add_flag("--cosim,!--no-cosim", options->cosim, "co-simulate the RTL of what is found");
   command->add_option("--area", options->area, "targets for Yosys: xilinx,ecp5,ice40, all, or none")
       ->capture_default_str();
-  command->add_option("--json", options->json, "file for the numbers");
+  add_json(command, options->json);
   command->callback([options] { fit(*options); });
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
+#include "cli/common/output.hpp"
 #include "cli/plots/sequence_quality.hpp"
 #include "cli/plots/video.hpp"
 
@@ -69,13 +70,13 @@ void add_frames(CLI::App& app, int&) {
   CLI::App* command =
       app.add_subcommand("frames", "an animation of which key frames are drawn and the rest is made from their motion");
   add_sequence_options(command, options->sequence);
-  command
-      ->add_option("-o,--output", options->output, "a film (.mp4, .mkv, .webm, .gif) or pictures like frame_%04d.png")
+  add_output_file(command, "-o,--output", options->output,
+                  "a film (.mp4, .mkv, .webm, .gif) or pictures like frame_%04d.png")
       ->required();
-  command->add_option("--difference", options->difference,
-                      "likewise: 128 + gain times what a frame differs by from the rendered one");
+  add_output_file(command, "--difference", options->difference,
+                  "likewise: 128 + gain times what a frame differs by from the rendered one");
   command->add_option("--gain", options->gain, "of --difference")->capture_default_str()->check(CLI::Range(1, 128));
-  command->add_option("--json", options->json, "file for the numbers");
+  add_json(command, options->json);
   command->footer(
       "  halfspace frames drone --keys 1:4 -o drone.mp4           one frame in five is drawn\n"
       "  halfspace frames drone --keys auto --psnr 50 -o d.mp4     keys where the motion asks for them\n"

@@ -2,9 +2,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <iostream>
 
 #include "cli/commands.hpp"
 #include "cli/common/files.hpp"
@@ -92,7 +94,9 @@ Json to_json(const model::MemoryBits& bits) {
 
 }  // namespace halfspace::cli
 
-int main(int argc, char** argv) {
+namespace {
+
+int run(int argc, char** argv) {
   CLI::App app{
       "halfspace: 3-D raster kernels for FPGA. A scene is rendered by the floating-point reference (ref) and by the\n"
       "fixed-point kernels (hls); vector files carry every stream between two units to the co-simulation of the RTL.",
@@ -141,6 +145,18 @@ int main(int argc, char** argv) {
     return 1;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "halfspace: %s\n", error.what());
+    return 1;
+  }
+  return status;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond a limit is an error of its write
+  const int status = run(argc, argv);
+  if (!std::cout.flush() || std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    std::fprintf(stderr, "halfspace: standard output: cannot write it: is the disk full?\n");
     return 1;
   }
   return status;

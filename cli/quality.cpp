@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "cli/commands.hpp"
+#include "cli/common/output.hpp"
 #include "cli/plots/gnuplot.hpp"
 #include "cli/plots/sequence_quality.hpp"
 #include "ref/error.hpp"
@@ -114,12 +115,11 @@ void vary(const QualityOptions& options) {
   }
   if (!options.plot.empty()) {
     std::string script = fmt::format(
-        "set terminal pngcairo size 720,420 noenhanced font 'sans,11' background rgb 'white'\nset output {}\nset title "
+        "set terminal pngcairo size 720,420 noenhanced font 'sans,11' background rgb 'white'\nset title "
         "{}\n"
         "set xlabel {}\nset ylabel 'PSNR_Y of the frames in between, dB'\nset grid\nset key bottom right\nset xtics "
         "1\n$data << EOD\n",
-        gnuplot_quoted(options.plot), gnuplot_quoted(sequence.scene),
-        gnuplot_quoted(options.vary.substr(0, options.vary.find('='))));
+        gnuplot_quoted(sequence.scene), gnuplot_quoted(options.vary.substr(0, options.vary.find('='))));
     for (const Json& row : rows) {
       const std::string set = row["set"];
       script += fmt::format("{} {}\n", set.substr(set.find('=') + 1), row["compensated"]["psnr_y_db"].get<double>());
@@ -139,9 +139,9 @@ void add_quality(CLI::App& app, int&) {
   auto options = std::make_shared<QualityOptions>();
   CLI::App* command = app.add_subcommand("quality", "how near frames between key frames are to these as rendered");
   add_sequence_options(command, options->sequence);
-  command->add_option("--plot", options->plot,
-                      "picture of the classes of blocks, a frame a bar; with --vary of dB by bits");
-  command->add_option("--json", options->json, "file for the numbers");
+  add_output_file(command, "--plot", options->plot,
+                  "picture of the classes of blocks, a frame a bar; with --vary of dB by bits");
+  add_json(command, options->json);
   command->footer(
       "  halfspace quality cube_fast                                         the kernels\n"
       "  halfspace quality cube_fast --engine ref --method straight --filter area --no-index-test   as the paper has "

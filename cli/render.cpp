@@ -9,6 +9,7 @@
 #include <set>
 
 #include "cli/commands.hpp"
+#include "cli/common/output.hpp"
 #include "cli/common/scene_input.hpp"
 #include "cli/plots/picture.hpp"
 #include "model/pipeline/accesses.hpp"
@@ -229,10 +230,10 @@ void add_render(CLI::App& app, int&) {
   command->add_option("--mapping", options->mapping, "of textures: affine on the screen, or perspective")
       ->check(CLI::IsMember({"affine", "perspective"}))
       ->capture_default_str();
-  command->add_option("-o,--output", options->output, "picture to write; the ending chooses the format");
+  add_output_file(command, "-o,--output", options->output, "picture to write; the ending chooses the format");
   command->add_option("--dump", options->dump,
                       "folder for index.u32, depth.u32, colour.rgba8 (little endian, row 0 on top) and triangles.tri");
-  command->add_option("--json", options->json, "file for the numbers");
+  add_json(command, options->json);
   command->callback([options] { render(*options); });
 }
 

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "cli/commands.hpp"
+#include "cli/common/output.hpp"
 #include "cli/common/scene_input.hpp"
 #include "cli/plots/picture.hpp"
 #include "model/pipeline/engine.hpp"
@@ -155,6 +156,7 @@ int report(const ReportOptions& options) {
   constexpr int kGain = 64;
 
   const std::filesystem::path out(options.out);
+  model::make_folder(options.out);
   auto picture = [&](const char* name, const Picture& p) {
     write_picture((out / name).string(), p);
     fmt::print("{}\n", (out / name).string());
@@ -198,7 +200,7 @@ void add_report(CLI::App& app, int& status) {
   command->add_option("--cosim", options->cosim, "JSON that tb_pipeline wrote");
   command->add_option("--units", options->units, "JSON that the benches of units wrote, a file each");
   command->add_option("--rtl-frame", options->rtl_frame, "RGBA frame that tb_pipeline wrote");
-  command->add_option("--json", options->json, "file for the numbers");
+  add_json(command, options->json);
   command->callback([options, &status] { status = report(*options); });
 }
 

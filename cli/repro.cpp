@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "cli/commands.hpp"
+#include "cli/common/output.hpp"
 #include "cli/common/progress.hpp"
 #include "cli/repro/repro_frames.hpp"
 #include "cli/repro/repro_plots.hpp"
@@ -277,10 +278,10 @@ void add_repro(CLI::App& app, int&) {
     CLI::App* paper = command->add_subcommand(name, what);
     paper->add_option("SCENE", options->scenes, "built-in scenes or mesh files; default: polyhedron teapot castle");
     paper->add_option("--out", options->out, "folder for the plots");
-    paper->add_option("--json", options->json, "file for the numbers");
+    add_json(paper, options->json);
     paper->callback([options, run] {
       if (options->scenes.empty()) options->scenes = kScenes;
-      if (!options->out.empty()) std::filesystem::create_directories(options->out);
+      if (!options->out.empty()) model::make_folder(options->out);
       run(*options);
     });
   };

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "cli/commands.hpp"
+#include "cli/common/output.hpp"
 #include "cli/common/progress.hpp"
 #include "cli/plots/gnuplot.hpp"
 #include "model/formats/configuration.hpp"
@@ -96,8 +97,8 @@ void print_table(const char* what, const std::vector<StabilityPoint>& points, co
 
 // A panel a channel: the largest errors over log2 of what was varied. An error of 0 has no place on a logarithmic axis:
 // it stands on the lower border.
-std::string plot_script(const std::string& picture, const std::string& title, const char* axis,
-                        const std::vector<StabilityPoint>& points, const std::vector<Channel>& channels) {
+std::string plot_script(const std::string& title, const char* axis, const std::vector<StabilityPoint>& points,
+                        const std::vector<Channel>& channels) {
   constexpr double kLowerBorder = 1e-6;
   constexpr const char* kStyles[model::kPlaneMethods] = {
       "lc rgb '#0b5fa5' lw 3 pt 7 ps 0.7", "lc rgb '#c0392b' lw 1.5 pt 4 ps 0.7", "lc rgb '#e08e0b' lw 1.5 pt 6 ps 0.7",
@@ -105,13 +106,12 @@ std::string plot_script(const std::string& picture, const std::string& title, co
   constexpr PlaneMethod kFrontLast[] = {model::kFloatFromOrigin, model::kFloatFromVertex, model::kSaturatedGradients,
                                         model::kKernelPlane};
   std::string script = fmt::format(
-      "set terminal pngcairo size {},600 font 'sans,11' background rgb 'white'\nset output {}\n"
+      "set terminal pngcairo size {},600 font 'sans,11' background rgb 'white'\n"
       "set multiplot layout 1,{} title {} font ',14' margins 0.075,0.98,0.24,0.86 spacing 0.09,0\n"
       "set logscale y\nset format y '10^{{%T}}'\nset grid xtics ytics lt 1 lw 0.5 lc rgb '#cccccc'\nset xlabel {}\n"
       "set ylabel 'largest error, LSB (0 on the lower border)'\nset format x '2^{{%g}}'\n"
       "set key at screen 0.5,0.01 center bottom maxrows 2 samplen 3\n",
-      channels.size() > 1 ? 1280 : 760, gnuplot_quoted(picture), channels.size(), gnuplot_quoted(title),
-      gnuplot_quoted(axis));
+      channels.size() > 1 ? 1280 : 760, channels.size(), gnuplot_quoted(title), gnuplot_quoted(axis));
   for (std::size_t n = 0; n < channels.size(); ++n) {
     const Channel& c = channels[n];
     script += fmt::format("$data{} << EOD\n", n);
@@ -181,11 +181,13 @@ void study_stability(const StabilityOptions& options) {
                     "gnuplot-nox",
                     options.out));
   }
-  const std::string aspect = staged.path("stability_aspect.png"), size = staged.path("stability_size.png");
   const std::string title = "Configuration " + configuration.name() + ": error of planes before rounding, by ";
-  run_gnuplot(plot_script(aspect, title + "aspect ratio", "aspect ratio: length / width", study.aspect, channels),
-              aspect);
-  run_gnuplot(plot_script(size, title + "size", "side of the bounding box, pixels", study.size, channels), size);
+  const auto draw = [&](const char* name, const std::string& script) {
+    staged.write(name, drawn_by_gnuplot(script, options.out + "/" + name));
+  };
+  draw("stability_aspect.png",
+       plot_script(title + "aspect ratio", "aspect ratio: length / width", study.aspect, channels));
+  draw("stability_size.png", plot_script(title + "size", "side of the bounding box, pixels", study.size, channels));
   staged.commit();
   fmt::print("stability.csv, stability.json, stability_aspect.png and stability_size.png in {}\n", options.out);
 }
@@ -208,7 +210,7 @@ void add_stability(CLI::App& app, int&) {
       ->check(CLI::Range(0, 60));
   command->add_option("--seed", options->study.seed, "of the triangles")->capture_default_str();
   command->add_option("--out", options->out, "folder for stability.csv, .json and two pictures");
-  command->add_option("--json", options->json, "file for the numbers");
+  add_json(command, options->json);
   command->callback([options] { study_stability(*options); });
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "cli/commands.hpp"
+#include "cli/common/output.hpp"
 #include "model/formats/stream_list.hpp"
 #include "model/motion/compensation.hpp"
 #include "model/objects/merge.hpp"
@@ -106,7 +107,7 @@ void add_streams(CLI::App& app, int&) {
   command->add_option("CONFIG", options->config, "those of this configuration alone, with the bits of their words");
   command->add_option("--lanes", options->lanes, "pixels of a stamp (default: those of the configuration)");
   command->add_flag("--markdown", options->markdown, "the table in Markdown");
-  command->add_option("--json", options->json, "file for the table");
+  add_json(command, options->json, "the table");
   command->callback([options] {
     write_json(options->json, options->config.empty() ? print_all(options->markdown) : print_configuration(*options));
   });

@@ -13,6 +13,7 @@
 #include "cli/sweep/sweep_points.hpp"
 #include "cli/sweep/sweep_table.hpp"
 #include "ref/error.hpp"
+#include "vectors/staging.hpp"
 
 namespace halfspace::cli {
 namespace {
@@ -56,6 +57,7 @@ int run(const SweepOptions& options) {
     list_points(sweep);
     return 0;
   }
+  model::make_folder(sweep.input.out);
   if (options.merge) return merge(sweep);
   if (options.point) {
     if (options.point > int(sweep.points.size())) {

@@ -6,6 +6,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/common/numbers.hpp"
+#include "cli/common/output.hpp"
 #include "cli/common/progress.hpp"
 #include "cli/common/scene_input.hpp"
 #include "model/drivers/up_convert.hpp"
@@ -113,6 +114,7 @@ void write_static(const VectorsOptions& options, const model::Configuration& con
   const model::StaticSequence sequence = model::static_sequence(
       {configuration, of_passes.lanes, size.width, size.height, options.buffers, options.query, of_passes.window},
       options.objects, options.frames, options.seed);
+  model::make_folder(options.out);
   Progress progress("vectors static");
   const auto told = [&](std::size_t done, std::size_t total) { progress.tell(done, total); };
   VectorsOptions part = options;
@@ -213,7 +215,7 @@ void add_vectors(CLI::App& app, int&) {
       ->capture_default_str()
       ->check(above_zero());
   command->add_flag("--query,!--no-query", options->query, "of `static`: an S-buffer is asked before it is changed");
-  command->add_option("--json", options->json, "file for a copy of the manifest");
+  add_json(command, options->json, "a copy of the manifest");
   command->callback([options] { write_vectors(*options); });
 }
 

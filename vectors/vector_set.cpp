@@ -24,7 +24,9 @@ using Json = nlohmann::ordered_json;
 // A .hex file and the digest of its text.
 class HexFile {
  public:
-  HexFile(const std::string& path, const Layout& layout) : path_(path), layout_(layout), file_(path, std::ios::binary) {
+  // At `path` until the set is whole.
+  HexFile(const std::string& path, std::string name, const Layout& layout)
+      : name_(std::move(name)), layout_(layout), file_(path, std::ios::binary) {
     EVP_DigestInit_ex(digest_.get(), EVP_sha256(), nullptr);
   }
 
@@ -44,7 +46,8 @@ class HexFile {
   // The stream's entry in the manifest.
   Json close() {
     file_.close();
-    if (!file_) throw ref::Error(fmt::format("{}: cannot write it: is the disk full?", path_));
+    if (!file_)
+      throw ref::Error(fmt::format("{}: cannot write it: the disk is full, or a limit (ulimit -f) is too low", name_));
     unsigned char bytes[EVP_MAX_MD_SIZE];
     unsigned size = 0;
     EVP_DigestFinal_ex(digest_.get(), bytes, &size);
@@ -74,7 +77,7 @@ class HexFile {
     EVP_DigestUpdate(digest_.get(), text.data(), text.size());
   }
 
-  std::string path_;
+  std::string name_;
   Layout layout_;
   std::ofstream file_;
   std::unique_ptr<EVP_MD_CTX, void (*)(EVP_MD_CTX*)> digest_{EVP_MD_CTX_new(), EVP_MD_CTX_free};
@@ -91,7 +94,8 @@ std::string write_streams(const std::string& folder, const VectorSetOptions& opt
   StagedFolder staged(folder);
   std::map<std::string, HexFile> files;
   for (const Layout& layout : layouts) {
-    files.emplace(layout.stream, HexFile(staged.path(layout.stream + ".hex"), layout));
+    const std::string name = layout.stream + ".hex";
+    files.emplace(layout.stream, HexFile(staged.path(name), folder + "/" + name, layout));
     files.at(layout.stream)
         .comment(fmt::format("{} {} lanes {}: {} bits a word", layout.stream, configuration.name(), options.lanes,
                              layout.bits));

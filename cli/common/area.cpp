@@ -2,16 +2,14 @@
 #include "cli/common/area.hpp"
 
 #include <fmt/format.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
 #include "cli/common/files.hpp"
+#include "cli/common/program.hpp"
 #include "model/package/package.hpp"
 #include "ref/error.hpp"
 #include "vectors/staging.hpp"
@@ -20,27 +18,6 @@ namespace halfspace::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Runs a program, its output to the file; returns its exit status.
-int run_program(const std::vector<std::string>& words, const std::string& output) {
-  std::vector<char*> argv;
-  argv.reserve(words.size() + 1);
-  for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
-  argv.push_back(nullptr);
-  std::FILE* const file = std::fopen(output.c_str(), "w");
-  if (!file) throw ref::Error(fmt::format("{}: cannot write it: is the disk full?", output));
-  const pid_t child = fork();
-  if (child == 0) {
-    dup2(fileno(file), 1);
-    dup2(fileno(file), 2);
-    execvp(argv[0], argv.data());
-    _exit(127);
-  }
-  std::fclose(file);
-  int status = 0;
-  if (child < 0 || waitpid(child, &status, 0) < 0) throw ref::Error("no further process can be started: stop some");
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
-}
 
 std::string joined(const std::vector<std::string>& words) {
   std::string text;
@@ -81,18 +58,19 @@ std::string area_sources() {
 Json measure_area(const model::Configuration& configuration, const std::vector<std::string>& targets,
                   const std::string& work) {
   const fs::path folder(work);
+  fs::create_directories(folder);
   const std::string package = (folder / "hs_formats_pkg.sv").string(), json = (folder / "area.json").string();
   const std::string log = (folder / "area.log").string();
   model::write_file(package, model::formats_package(configuration));
-  const int status =
+  const ProgramEnd end =
       run_program({"python3", data_file("rtl/synth/area.py"), "--package", package, "--lanes",
-                   std::to_string(configuration.config().lanes), "--targets", joined(targets), "--json", json},
-                  log);
+                   std::to_string(configuration.config().lanes), "--targets", joined(targets), "--json", json});
+  model::write_file(log, end.output + end.said);
   std::ifstream file(json);
   const Json result = Json::parse(file, nullptr, false);
-  if (status != 0 || result.is_discarded() || !result.contains("rows")) {
-    throw ref::Error(
-        fmt::format("{}: the area tool ended with status {}: its words are in {}", configuration.name(), status, log));
+  if (end.status != 0 || result.is_discarded() || !result.contains("rows")) {
+    throw ref::Error(fmt::format("{}: the area tool ended with status {}: its words are in {}", configuration.name(),
+                                 end.status, log));
   }
   Json rows = Json::array();
   for (Json row : result["rows"]) {

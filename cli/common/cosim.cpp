@@ -28,7 +28,7 @@ void run(const std::string& command, const std::string& log, const std::string& 
 Cosimulation cosimulate(const std::string& folder, const std::string& scene, const model::Configuration& configuration,
                         int lanes, const std::vector<model::NamedFrame>& frames) {
   const std::filesystem::path work(folder);
-  std::filesystem::create_directories(work);
+  model::make_folder(folder);
   const std::string package = (work / "hs_formats_pkg.sv").string(), report = (work / "cosim.json").string();
   model::write_file(package, model::formats_package(configuration));
   run(fmt::format("python3 {} --package {} --lanes {} --out {} --library {} --library {}",

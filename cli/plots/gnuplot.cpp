@@ -3,11 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
-#include <filesystem>
-
+#include "cli/common/program.hpp"
 #include "cli/common/shell.hpp"
 #include "ref/error.hpp"
+#include "vectors/staging.hpp"
 
 namespace halfspace::cli {
 
@@ -19,14 +18,17 @@ std::string gnuplot_quoted(const std::string& text) {
   return quoted + "'";
 }
 
+std::string drawn_by_gnuplot(const std::string& script, const std::string& name) {
+  ProgramEnd end = run_program({"gnuplot"}, script);
+  // A PNG ends with its chunk IEND, an empty one, and a checksum.
+  const bool whole = end.output.size() > 12 && end.output.compare(end.output.size() - 8, 4, "IEND") == 0;
+  if (end.status != 0 || !whole)
+    throw ref::Error(fmt::format("{}: gnuplot did not draw it: {}", name, in_short(end.said)));
+  return std::move(end.output);
+}
+
 void run_gnuplot(const std::string& script, const std::string& picture) {
-  FILE* const pipe = popen("gnuplot", "w");
-  if (!pipe) throw ref::Error("gnuplot cannot be started: free some memory");
-  const bool sent = std::fwrite(script.data(), 1, script.size(), pipe) == script.size();
-  std::error_code error;
-  if (pclose(pipe) != 0 || !sent || std::filesystem::file_size(picture, error) == 0 || error) {
-    throw ref::Error(fmt::format("{}: gnuplot did not draw it: its own message says why", picture));
-  }
+  model::write_file(picture, drawn_by_gnuplot(script, picture));
 }
 
 }  // namespace halfspace::cli

@@ -10,7 +10,10 @@ namespace halfspace::cli {
 bool gnuplot_is_installed();
 // A string of a gnuplot script.
 std::string gnuplot_quoted(const std::string& text);
-// Runs a script that writes `picture`. Throws ref::Error when it did not.
+// The PNG that a script draws, which sets its terminal and no output. Throws ref::Error, about the file of that name,
+// when there is none.
+std::string drawn_by_gnuplot(const std::string& script, const std::string& name);
+// The same, written to the file.
 void run_gnuplot(const std::string& script, const std::string& picture);
 
 }  // namespace halfspace::cli

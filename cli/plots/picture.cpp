@@ -66,15 +66,18 @@ Picture difference_picture(const Picture& a, const Picture& b, int gain) {
   return picture;
 }
 
-void write_picture(const std::string& path, const Picture& picture) {
-  const std::filesystem::path target(path);
-  model::StagedFolder staged(target.parent_path().string());
-  const std::string part = staged.path(target.filename().string());
+std::string encoded(const std::string& name, const Picture& picture) {
   ref::Image image{picture.width, picture.height, 3, {}};
   image.bytes.reserve(3 * picture.pixels.size());
   for (const auto& pixel : picture.pixels) image.bytes.insert(image.bytes.end(), pixel.begin(), pixel.end());
-  ref::write_image(part, path, image);
-  staged.commit();
+  return ref::encoded_image(name, image);
+}
+
+void write_picture(const std::string& path, const Picture& picture) {
+  model::StagedFile file(path);
+  const bool has_ending = std::filesystem::path(path).has_extension();
+  file.write(encoded(file.is_stream() && !has_ending ? path + ".png" : path, picture));
+  file.commit();
 }
 
 }  // namespace halfspace::cli

@@ -26,7 +26,9 @@ Picture depth_picture(const ref::Frame& frame);
 // 128 + gain·(a − b), clamped: grey where they are equal.
 Picture difference_picture(const Picture& a, const Picture& b, int gain);
 
-// The format follows from the ending. Whole or not at all; throws ref::Error.
+// The bytes of a file of that name; the format follows from the ending. Throws ref::Error.
+std::string encoded(const std::string& name, const Picture& picture);
+// Of a device or pipe without an ending a PNG. Whole or not at all; throws ref::Error.
 void write_picture(const std::string& path, const Picture& picture);
 
 }  // namespace halfspace::cli

@@ -103,12 +103,12 @@ Json to_json(const SequenceQuality& q) {
 
 void plot_blocks(const SequenceQuality& quality, const std::string& title, const std::string& picture) {
   std::string script = fmt::format(
-      "set terminal pngcairo size 1000,640 noenhanced font 'sans,11' background rgb 'white'\nset output {}\nset "
+      "set terminal pngcairo size 1000,640 noenhanced font 'sans,11' background rgb 'white'\nset "
       "multiplot layout 2,1 title {}\n"
       "set style data histograms\nset style histogram rowstacked\nset style fill solid 0.95 noborder\nset boxwidth 1\n"
       "set yrange [0:100]\nset ylabel 'blocks of 4x4, percent'\nset key outside right top\nunset xtics\nset grid "
       "ytics\n",
-      gnuplot_quoted(picture), gnuplot_quoted(title));
+      gnuplot_quoted(title));
   const auto plot = [&](const char* name, const char* label,
                         const std::vector<std::array<double, ref::kBlockClasses>>& frames) {
     script += fmt::format("${} << EOD\n", name);

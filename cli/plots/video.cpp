@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <csignal>
+#include <cstdio>
 #include <filesystem>
 #include <optional>
+#include <utility>
 
+#include "cli/common/program.hpp"
 #include "cli/common/shell.hpp"
 #include "ref/error.hpp"
 #include "vectors/staging.hpp"
@@ -40,31 +42,37 @@ void need_ffmpeg(const std::string& path) {
   }
 }
 
-std::string raw_input(int width, int height, int frames_a_second) {
-  return fmt::format("ffmpeg -v error -f rawvideo -pix_fmt rgb24 -s {}x{} -r {} -i -", width, height, frames_a_second);
+// Of ffmpeg: raw pictures in; a write that fails is its end.
+std::vector<std::string> command(int width, int height, int frames_a_second) {
+  return {"ffmpeg",   "-v",
+          "error",    "-xerror",
+          "-f",       "rawvideo",
+          "-pix_fmt", "rgb24",
+          "-s",       fmt::format("{}x{}", width, height),
+          "-r",       std::to_string(frames_a_second),
+          "-i",       "-"};
 }
 
-bool send(FILE* pipe, const Picture& picture) {
-  return std::fwrite(picture.pixels.data(), 3, picture.pixels.size(), pipe) == picture.pixels.size();
+void append(std::vector<std::string>& words, std::initializer_list<std::string> more) {
+  words.insert(words.end(), more);
 }
 
-// A program that ends early must not end this one with it.
-FILE* open_pipe(const std::string& command) {
-  std::signal(SIGPIPE, SIG_IGN);
-  FILE* const pipe = popen(command.c_str(), "w");
-  if (!pipe) throw ref::Error("ffmpeg cannot be started: free some memory");
-  return pipe;
+bool send(FedProgram& ffmpeg, const Picture& picture) {
+  return ffmpeg.feed(picture.pixels.data(), 3 * picture.pixels.size());
 }
+
+// Its status does not tell of all that it could not write.
+bool is_whole(const ProgramEnd& end) { return end.status == 0 && end.said.find("rror ") == std::string::npos; }
 
 }  // namespace
 
 bool ffmpeg_is_installed() { return is_installed("ffmpeg"); }
 
 FrameWriter::FrameWriter(std::string path, int width, int height, int frames_a_second) : path_(std::move(path)) {
-  const fs::path target(path_);
-  staged_ = std::make_unique<model::StagedFolder>(target.parent_path().string());
   if (numbered(path_)) return;
-  const std::string ending = target.extension().string();
+  model::StagedFile& file = staged_->file(path_);
+  std::string ending = fs::path(path_).extension().string();
+  if (ending.empty() && file.is_stream()) ending = ".mkv";
   if (ending != ".mp4" && ending != ".mkv" && ending != ".webm" && ending != ".gif") {
     throw ref::Error(
         fmt::format("{}: neither a film (.mp4, .mkv, .webm, .gif) nor numbered pictures: write it like out.mp4 or "
@@ -72,54 +80,55 @@ FrameWriter::FrameWriter(std::string path, int width, int height, int frames_a_s
                     path_));
   }
   need_ffmpeg(path_);
+  std::vector<std::string> words = command(width, height, frames_a_second);
   // Films of 4:2:0 have even sides.
-  const std::string format = ending == ".gif" ? "" : " -vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' -pix_fmt yuv420p -crf 12";
-  film_ = open_pipe(raw_input(width, height, frames_a_second) + format + " -y " +
-                    shell_quoted(staged_->path(target.filename().string())));
+  if (ending != ".gif") append(words, {"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", "-crf", "12"});
+  append(words, {"-f", ending == ".mkv" ? "matroska" : ending.substr(1), "-y", "file:" + file.path()});
+  film_ = std::make_unique<FedProgram>(words);
 }
 
-FrameWriter::~FrameWriter() {
-  if (film_) pclose(film_);
+FrameWriter::~FrameWriter() = default;
+
+void FrameWriter::end_film(bool taken) {
+  const ProgramEnd end = std::exchange(film_, nullptr)->end();
+  if (!taken || !is_whole(end))
+    throw ref::Error(fmt::format("{}: ffmpeg did not write it: {}", path_, in_short(end.said)));
 }
 
 void FrameWriter::write(const Picture& picture) {
   if (film_) {
-    if (!send(film_, picture))
-      throw ref::Error(fmt::format("{}: ffmpeg does not take the pictures: its own message says why", path_));
+    if (!send(*film_, picture)) end_film(false);
   } else {
-    const Numbered name = *numbered(fs::path(path_).filename().string());
-    write_picture(staged_->path(fmt::format("{}{:0{}d}{}", name.before, frames_, name.digits, name.after)), picture);
+    const Numbered name = *numbered(path_);
+    const std::string path = fmt::format("{}{:0{}d}{}", name.before, frames_, name.digits, name.after);
+    staged_->file(path).write(encoded(path, picture));
   }
   ++frames_;
 }
 
 void FrameWriter::finish() {
-  if (film_) {
-    const int status = pclose(film_);
-    film_ = nullptr;
-    if (status != 0) throw ref::Error(fmt::format("{}: ffmpeg did not write it: its own message says why", path_));
-  }
+  if (film_) end_film(true);
   staged_->commit();
 }
 
 std::vector<Picture> interpolated_by_ffmpeg(const std::vector<Picture>& keys, int factor) {
   need_ffmpeg("minterpolate");
   const int width = keys.at(0).width, height = keys[0].height, rate = 6;
-  model::StagedFolder folder((fs::temp_directory_path() / "halfspace").string());  // never committed
-  const std::string out = folder.path("between.rgb");
-  FILE* const pipe =
-      open_pipe(raw_input(width, height, rate) +
-                fmt::format(" -vf minterpolate=fps={}:mi_mode=mci:mc_mode=aobmc:me_mode=bidir:vsbmc=1:scd=none"
-                            " -f rawvideo -pix_fmt rgb24 -y {}",
-                            rate * factor, shell_quoted(out)));
+  model::StagedFile made((fs::temp_directory_path() / "halfspace_between.rgb").string());  // never committed
+  std::vector<std::string> words = command(width, height, rate);
+  append(words,
+         {"-vf",
+          fmt::format("minterpolate=fps={}:mi_mode=mci:mc_mode=aobmc:me_mode=bidir:vsbmc=1:scd=none", rate * factor),
+          "-f", "rawvideo", "-pix_fmt", "rgb24", "-y", "file:" + made.path()});
+  FedProgram ffmpeg(words);
   bool sent = true;
-  for (const Picture& key : keys) sent = sent && send(pipe, key);
-  if (pclose(pipe) != 0 || !sent)
-    throw ref::Error("minterpolate: ffmpeg did not take the pictures: its own message says why");
+  for (const Picture& key : keys) sent = sent && send(ffmpeg, key);
+  const ProgramEnd end = ffmpeg.end();
+  if (!is_whole(end) || !sent) throw ref::Error("minterpolate: ffmpeg does not do it: " + in_short(end.said));
 
   std::vector<Picture> pictures;
-  FILE* const file = std::fopen(out.c_str(), "rb");
-  if (!file) throw ref::Error("minterpolate: ffmpeg wrote no pictures: its own message says why");
+  FILE* const file = std::fopen(made.path().c_str(), "rb");
+  if (!file) throw ref::Error("minterpolate: ffmpeg wrote no pictures");
   for (;;) {
     Picture picture{width, height, std::vector<std::array<std::uint8_t, 3>>(std::size_t(width) * height)};
     if (std::fread(picture.pixels.data(), 3, picture.pixels.size(), file) != picture.pixels.size()) break;

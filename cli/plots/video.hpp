@@ -3,16 +3,13 @@
 #ifndef HALFSPACE_CLI_PLOTS_VIDEO_HPP_
 #define HALFSPACE_CLI_PLOTS_VIDEO_HPP_
 
-#include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "cli/common/program.hpp"
 #include "cli/plots/picture.hpp"
-
-namespace halfspace::model {
-class StagedFolder;
-}
+#include "vectors/staging.hpp"
 
 namespace halfspace::cli {
 
@@ -22,7 +19,7 @@ bool ffmpeg_is_installed();
 class FrameWriter {
  public:
   // `path` has one %d or %04d for the number of a picture, from 0 on, or ends as ffmpeg knows films: .mp4, .mkv, .webm,
-  // .gif.
+  // .gif. A device or pipe without an ending gets Matroska.
   FrameWriter(std::string path, int width, int height, int frames_a_second);
   ~FrameWriter();
 
@@ -30,9 +27,11 @@ class FrameWriter {
   void finish();
 
  private:
+  void end_film(bool taken);
+
   std::string path_;
-  std::unique_ptr<model::StagedFolder> staged_;
-  FILE* film_ = nullptr;  // ffmpeg's input
+  std::unique_ptr<model::StagedFiles> staged_ = std::make_unique<model::StagedFiles>();
+  std::unique_ptr<FedProgram> film_;  // ffmpeg
   int frames_ = 0;
 };
 

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "cli/common/numbers.hpp"
+#include "cli/common/output.hpp"
 #include "cli/plots/sequence_quality.hpp"
 #include "cli/plots/video.hpp"
 #include "ref/error.hpp"
@@ -119,7 +120,7 @@ Json measure_kind(const ReproFramesOptions& options, const Kind& kind) {
 
 void repro_c(const ReproFramesOptions& options) {
   Json json = {{"paper", "frame-rate up-conversion"}, {"rows", Json::array()}};
-  if (!options.out.empty()) std::filesystem::create_directories(options.out);
+  if (!options.out.empty()) model::make_folder(options.out);
   for (const Kind& kind : kKinds) {
     const bool wanted = options.kinds.empty() ||
                         std::find(options.kinds.begin(), options.kinds.end(), kind.name) != options.kinds.end();
@@ -141,7 +142,7 @@ void add_repro_frames(CLI::App* repro) {
   paper->add_option("--size", options->size, "frame, WxH")->capture_default_str();
   paper->add_option("--frames", options->frames, "of each animation; default: all")->check(above_zero());
   paper->add_option("--out", options->out, "folder for the plots of blocks");
-  paper->add_option("--json", options->json, "file for the numbers");
+  add_json(paper, options->json);
   paper->callback([options] { repro_c(*options); });
 }
 

@@ -19,12 +19,12 @@ constexpr const char* kBuffers[][3] = {
     {"pixel_buffer", "wide pixel buffer", "#c0392b"}, {"index_buffer", "I-buffer", "#2a9d5c"},
     {"shading_database", "TdbS", "#e9a13b"},          {"visibility_database", "TdbV", "#8a4fa8"}};
 
-std::string header(const std::string& picture, int width, int height, const std::string& title) {
+std::string header(int width, int height, const std::string& title) {
   return fmt::format(
-      "set terminal pngcairo size {},{} font 'sans,11' background rgb 'white'\nset output {}\nset title {}\n"
+      "set terminal pngcairo size {},{} font 'sans,11' background rgb 'white'\nset title {}\n"
       "set style data histograms\nset style fill solid 0.9 border -1\nset grid ytics lt 1 lw 0.5 lc rgb '#cccccc'\n"
       "set key outside right top\nset boxwidth 0.8\nset xtics rotate by 35 right nomirror\nset yrange [0:*]\n",
-      width, height, gnuplot_quoted(picture), gnuplot_quoted(title));
+      width, height, gnuplot_quoted(title));
 }
 
 std::string label(const Json& row) {
@@ -44,8 +44,7 @@ std::string plot_lightings(const Json& rows, const std::string& folder) {
     share[name][row["shading"].get<std::string>()] =
         100 * row["delta"]["lightings"].get<double>() / row["alpha"]["lightings"].get<double>();
   }
-  std::string script =
-      header(picture, 1100, 520, "Lightings, percent of the traditional pipeline's") + "$data << EOD\n";
+  std::string script = header(1100, 520, "Lightings, percent of the traditional pipeline's") + "$data << EOD\n";
   for (const std::string& name : order)
     script += fmt::format("\"{}\" {} {}\n", name, share[name]["gouraud"], share[name]["phong"]);
   script +=
@@ -59,8 +58,7 @@ std::string plot_lightings(const Json& rows, const std::string& folder) {
 // Stacked buffers of the four architectures, a group of bars a row.
 std::string plot_stacks(const std::vector<Json>& rows, const std::string& picture, const std::string& title,
                         const char* unit, double scale) {
-  std::string script =
-      header(picture, 1200, 560, title) + "set style histogram rowstacked\nset bmargin 8\n$data << EOD\n";
+  std::string script = header(1200, 560, title) + "set style histogram rowstacked\nset bmargin 8\n$data << EOD\n";
   for (const Json& row : rows) {
     for (const char* architecture : {"alpha", "beta", "gamma", "delta"}) {
       script += fmt::format("\"{} {}\"", architecture, label(row));
@@ -109,8 +107,7 @@ std::vector<std::string> plot_index_rendering(const Json& numbers, const std::st
 std::vector<std::string> plot_lighting_cost(const Json& numbers, const std::string& folder) {
   const std::string picture = (fs::path(folder) / "lighting_cost.png").string();
   std::string script =
-      header(picture, 900, 480, "Instructions of the geometry stage, percent of type II (cost model)") +
-      "$data << EOD\n";
+      header(900, 480, "Instructions of the geometry stage, percent of type II (cost model)") + "$data << EOD\n";
   const auto add = [&](const std::string& name, const Json& n) {
     const double all = n["type_2"].get<double>();
     script +=

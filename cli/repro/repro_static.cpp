@@ -9,6 +9,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/common/numbers.hpp"
+#include "cli/common/output.hpp"
 #include "cli/common/progress.hpp"
 #include "cli/plots/gnuplot.hpp"
 #include "cli/plots/picture.hpp"
@@ -114,10 +115,10 @@ void print(const ReproStaticOptions& o, const model::StaticExperiment& e) {
 std::string plot(const Json& json, const std::string& folder) {
   std::string picture = (fs::path(folder) / "static_objects.png").string();
   std::string script = fmt::format(
-      "set terminal pngcairo size 1100,420 font 'sans,11' background rgb 'white'\nset output {}\n"
+      "set terminal pngcairo size 1100,420 font 'sans,11' background rgb 'white'\n"
       "set grid lt 1 lw 0.5 lc rgb '#cccccc'\nset key left top\nset xlabel 'objects that move'\n"
       "set xrange [0:{}]\nset yrange [0:*]\n",
-      gnuplot_quoted(picture), json["steps"].back()["moving"].get<int>() * 1.05 + 1);
+      json["steps"].back()["moving"].get<int>() * 1.05 + 1);
   for (std::size_t m = 1; m < model::kStaticMethods; ++m) {
     script += fmt::format("$m{} << EOD\n", m);
     for (const Json& row : json["steps"]) {
@@ -192,9 +193,9 @@ void add_repro_static(CLI::App& repro) {
       ->capture_default_str()
       ->check(CLI::IsMember({1, 2, 4, 8, 16}));
   paper->add_option("--out", options->out, "folder for the plot and the last picture");
-  paper->add_option("--json", options->json, "file for the numbers");
+  add_json(paper, options->json);
   paper->callback([options] {
-    if (!options->out.empty()) fs::create_directories(options->out);
+    if (!options->out.empty()) model::make_folder(options->out);
     run(*options);
   });
 }

@@ -77,6 +77,7 @@ Json compute_picture(const SweepScene& scene, const SweepConfig& config) {
 
 void compute_point(const Sweep& sweep, const SweepPoint& point) {
   const fs::path out(sweep.input.out);
+  fs::create_directories((out / point.file).parent_path());
   const SweepConfig& config = sweep.configs[point.config];
   // An area works under the point's name, so that points at the same time do not meet.
   const Json result = point.is_area ? measure_area(config.configuration(), sweep.targets,

@@ -27,9 +27,8 @@ std::vector<std::string> draw_plots(const Sweep& sweep, const std::vector<Json>&
   model::StagedFolder staged(out);
   for (const auto& script : scripts) {
     if (!script) continue;
-    const std::string picture = staged.path(script->name());
-    run_gnuplot(script->text(picture), picture);
     written.push_back((std::filesystem::path(out) / script->name()).string());
+    staged.write(script->name(), drawn_by_gnuplot(script->text(), written.back()));
   }
   staged.commit();
   return written;

@@ -27,11 +27,11 @@ std::string PanelScript::data(const std::string& lines) {
   return name;
 }
 
-std::string PanelScript::text(const std::string& path) const {
+std::string PanelScript::text() const {
   return fmt::format(
       "set terminal pngcairo size {},{} font 'sans,11' linewidth 1.5 noenhanced background rgb 'white'\n"
-      "set output {}\n{}unset multiplot\n",
-      width_, height_, gnuplot_quoted(path), text_);
+      "{}unset multiplot\n",
+      width_, height_, text_);
 }
 
 std::optional<double> number(const Json& row, const std::string& column) {

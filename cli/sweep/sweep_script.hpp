@@ -20,8 +20,7 @@ class PanelScript {
   std::string data(const std::string& lines);
 
   const std::string& name() const { return name_; }
-  // What writes the picture to this path.
-  std::string text(const std::string& path) const;
+  std::string text() const;
 
  private:
   std::string name_, text_;

@@ -43,15 +43,20 @@ Image read_image(const std::string& name, const std::vector<std::uint8_t>& bytes
   return from_input(name, OIIO::ImageInput::open(is_png ? "embedded.png" : "embedded.jpg", nullptr, &reader));
 }
 
-void write_image(const std::string& path, const std::string& name, const Image& image) {
-  const auto out = OIIO::ImageOutput::create(path);
-  if (!out) throw Error(fmt::format("{}: there is no picture format of that ending: use .png", name));
+std::string encoded_image(const std::string& name, const Image& image) {
+  const auto out = OIIO::ImageOutput::create(name);
+  // To memory, so that nothing of a file is lost unseen: the formats that the library cannot write so are not taken.
+  if (!out || !out->supports("ioproxy"))
+    throw Error(fmt::format("{}: there is no picture format of that ending: use .png", name));
   const OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeDesc::UINT8);
-  if (!out->open(path, spec) || !out->write_image(OIIO::TypeDesc::UINT8, image.bytes.data()) || !out->close()) {
+  OIIO::Filesystem::IOVecOutput bytes;
+  if (!out->set_ioproxy(&bytes) || !out->open(name, spec) ||
+      !out->write_image(OIIO::TypeDesc::UINT8, image.bytes.data()) || !out->close()) {
     std::string reason = out->geterror();
     std::replace(reason.begin(), reason.end(), '\n', ' ');
-    throw Error(fmt::format("{}: cannot write the picture: {}", name, reason));
+    throw Error(fmt::format("{}: cannot make the picture: {}: use .png", name, reason));
   }
+  return {reinterpret_cast<const char*>(bytes.buffer().data()), bytes.buffer().size()};
 }
 
 }  // namespace halfspace::ref

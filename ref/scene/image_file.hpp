@@ -21,8 +21,8 @@ constexpr int kLongestRead = 16384;  // pixels each way, so that a broken header
 Image read_image(const std::string& path);
 Image read_image(const std::string& name, const std::vector<std::uint8_t>& bytes);
 
-// Three channels; the format follows from the ending. Error with `name`.
-void write_image(const std::string& path, const std::string& name, const Image& image);
+// The bytes of a file of that name, whose ending chooses the format. Three channels. Error with the name.
+std::string encoded_image(const std::string& name, const Image& image);
 
 }  // namespace halfspace::ref
 

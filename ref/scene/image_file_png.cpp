@@ -50,17 +50,21 @@ Image read_image(const std::string& name, const std::vector<std::uint8_t>& bytes
   return from_png(name, png, png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) != 0);
 }
 
-void write_image(const std::string& path, const std::string& name, const Image& image) {
-  if (std::filesystem::path(path).extension() != ".png") {
+std::string encoded_image(const std::string& name, const Image& image) {
+  if (std::filesystem::path(name).extension() != ".png") {
     throw Error(fmt::format("{}: there is no picture format of that ending: use .png", name));
   }
   png_image png = blank();
   png.width = std::uint32_t(image.width);
   png.height = std::uint32_t(image.height);
   png.format = PNG_FORMAT_RGB;
-  if (!png_image_write_to_file(&png, path.c_str(), 0, image.bytes.data(), 0, nullptr)) {
-    throw Error(fmt::format("{}: cannot write the picture: {}", name, png.message));
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
+  std::string bytes(size, '\0');
+  if (!png_image_write_to_memory(&png, bytes.data(), &size, 0, image.bytes.data(), 0, nullptr)) {
+    throw Error(fmt::format("{}: cannot make the picture: {}", name, png.message));
   }
+  bytes.resize(size);
+  return bytes;
 }
 
 }  // namespace halfspace::ref

@@ -85,7 +85,7 @@ def arguments():
     parser.add_argument("--jobs", type=int, default=1, help="programs at a time (default: %(default)s)")
     parser.add_argument("--cache", type=pathlib.Path, default=root / "build" / "area",
                         help="folder (default: %(default)s)")
-    parser.add_argument("--json", type=pathlib.Path, help="write the rows to this file")
+    parser.add_argument("--json", type=pathlib.Path, help="write the rows to this file; - is standard output")
     parser.add_argument("--markdown", type=pathlib.Path, help="write the tables between the markers of this file")
     parser.add_argument("--rtl", type=pathlib.Path, default=root / "rtl", help="folder (default: %(default)s)")
     parser.add_argument("--yosys", default="yosys", help="the program (default: %(default)s)")
@@ -121,9 +121,12 @@ def main():
                   "bram_bits": {name: TARGETS[name].bram_bits for name in args.targets}}
         if args.markdown:
             write_file(args.markdown, report.between_markers(args.markdown, report.markdown(result)))
-        if args.json:
+        to_output = args.json == pathlib.Path("-")
+        if to_output:
+            print(json.dumps(result, indent=1))
+        elif args.json:
             write_file(args.json, json.dumps(result, indent=1) + "\n")
-        print(report.text(result))
+        print(report.text(result), file=sys.stderr if to_output else sys.stdout)
     except AreaError as error:
         print(f"area: {error}", file=sys.stderr)
         return 2

@@ -72,6 +72,7 @@ int run_cosim(Model* model, Vectors* vectors, const Options& options) {
 int run(int argc, char** argv) {
   const bool unit = model_top() != "hs_pipeline";
   const Options options = parse_options(argc, argv, model_top());
+  if (options.json == "-") give_standard_output_to_files();
   Vectors vectors = load_manifest(options.vectors);
   const std::unique_ptr<Model> model = make_model(options.seed);
   check_model(*model, vectors);

@@ -39,7 +39,7 @@ Options parse_options(int argc, char** argv, const std::string& top) {
       ->check(CLI::Range(0, 90));
   app.add_option("--hang", options.hang, "Cycles without a word that count as a hang (default 20000)")
       ->check(CLI::Range(std::uint64_t(100), std::uint64_t(1) << 40));
-  app.add_option("--json", options.json, "Write the report to this file as well");
+  app.add_option("--json", options.json, "Write the report to this file as well; - is standard output");
   if (!unit) {
     app.add_option("--frames", options.frames,
                    "Draw the last frame of the set N times, back to back (default 2: the second one gives the "

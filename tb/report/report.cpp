@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/report/report.hpp"
 
+#include <unistd.h>
+
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 namespace halfspace::tb {
 namespace {
+
+std::FILE* standard_output = stdout;  // where the file "-" goes
 
 void print_table(const Result& result) {
   std::printf("%-12s %-32s %12s %12s\n", "stream", "from -> to", "words", "mismatches");
@@ -157,14 +162,32 @@ std::string index_picture(const Vectors& vectors, const Words& scan) {
   return bytes;
 }
 
+void give_standard_output_to_files() {
+  const int kept = dup(STDOUT_FILENO);
+  if (kept < 0) return;
+  standard_output = fdopen(kept, "wb");
+  std::fflush(stdout);
+  dup2(STDERR_FILENO, STDOUT_FILENO);
+}
+
 void write_file(const std::string& file, const std::string& bytes) {
-  const std::string part = file + ".part";
+  const Error failed(file + ": cannot be written; choose a folder that exists and is writable, on a disk with space");
+  if (file == "-") {
+    const bool sent = std::fwrite(bytes.data(), 1, bytes.size(), standard_output) == bytes.size();
+    if (std::fflush(standard_output) != 0 || !sent) throw failed;
+    return;
+  }
+  std::error_code absent;
+  const std::filesystem::path named = std::filesystem::canonical(file, absent);
+  const std::string target = absent ? file : named.string();
+  const bool replaced = absent || std::filesystem::is_regular_file(target, absent);
+  const std::string part = replaced ? target + ".part" : target;
   std::ofstream out(part, std::ios::binary);
   out.write(bytes.data(), std::streamsize(bytes.size()));
   out.close();
-  if (!out || std::rename(part.c_str(), file.c_str()) != 0) {
-    std::remove(part.c_str());
-    throw Error(file + ": cannot be written; choose a folder that exists and is writable");
+  if (!out || (replaced && std::rename(part.c_str(), target.c_str()) != 0)) {
+    if (replaced) std::remove(part.c_str());
+    throw failed;
   }
 }
 
