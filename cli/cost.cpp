@@ -20,6 +20,7 @@ namespace halfspace::cli {
 namespace {
 
 struct CostOptions {
+  ref::SceneChoice choice;
   std::string scene, config = "middle", size = "320x240", json;
   int first = 0, lanes = 4, lights = 4;
 };
@@ -164,9 +165,8 @@ std::vector<Cost> with_static_buffer(const model::KernelUpConversion& mode, cons
 void cost(const CostOptions& options) {
   const FrameSize size = parse_size(options.size);
   const double aspect = double(size.width) / size.height;
-  const auto scene_at = [&](int n) {
-    return ref::load_scene(options.scene, double(options.first + n) / kFramesASecond);
-  };
+  const SceneSource source(options.scene, options.choice);
+  const auto scene_at = [&](int n) { return source.at(double(options.first + n) / kFramesASecond); };
   const ref::Scene first = scene_at(0), between = scene_at(2), second = scene_at(5);
   if (first.duration <= 0)
     throw ref::Error(fmt::format("{}: nothing moves in it: take an animated scene", options.scene));
@@ -255,6 +255,7 @@ void add_cost(CLI::App& app, int&) {
       ->add_option("SCENE", options->scene,
                    "an animated scene (" + builtin_names() + ") or a mesh file with an animation")
       ->required();
+  add_scene_choice(command, options->choice);
   command->add_option("--config", options->config, "of the frames")->capture_default_str();
   command->add_option("--size", options->size, "frame, WxH")->capture_default_str();
   command->add_option("--first", options->first, "number of the first key frame")

@@ -95,8 +95,10 @@ ref::Frame draw_by(const RenderOptions& options, const LoadedScene& loaded, Coun
     surface = ref::given_surface(list);
   } else {
     // Textures of a configuration that has them are as it can hold them.
-    scene = has_texture(config) ? *loaded.scene
-                                : ref::load_scene(options.input.scene, options.input.time, !options.texture.empty());
+    scene =
+        has_texture(config)
+            ? *loaded.scene
+            : SceneSource(options.input.scene, options.input.choice, !options.texture.empty()).at(options.input.time);
     geometry.emplace(*scene, ref::View{list.width, list.height, list.format.range_bits, list.format.subpixel_bits});
     const std::string given = model::find_field("shading")->text(config);
     surface = ref::lit_surface(*geometry, list,

@@ -8,6 +8,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/common/numbers.hpp"
+#include "cli/common/scene_source.hpp"
 #include "cli/sweep/sweep_measure.hpp"
 #include "cli/sweep/sweep_plots.hpp"
 #include "cli/sweep/sweep_points.hpp"
@@ -93,6 +94,7 @@ void add_sweep(CLI::App& app, int& status) {
       "cli/sweep/Snakefile.\n"
       "docs/trade.md tells what is measured.\n");
   command->add_option("SCENE", input.scenes, "built-in scenes, mesh files or screen-space *.tri")->required();
+  add_scene_choice(command, input.shown);
   command->add_option("--vary", input.vary, "KEY=A,B,C or KEY=A..B, a number of the configuration; may be repeated")
       ->allow_extra_args(false);
   command->add_option("--config", input.choice.config, "the base: low, middle, high or a .toml file")

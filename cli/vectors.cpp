@@ -68,9 +68,9 @@ model::NamedCompensation compensation_of(const VectorsOptions& options, const mo
   }
   model::KernelUpConverter converter({size.width / config.samples, size.height / config.samples,
                                       model::colour_configuration(configuration), configuration});
-  converter.set_keys(ref::load_scene(options.input.scene, times[0]), ref::load_scene(options.input.scene, times[1]));
-  converter.at(ref::load_scene(options.input.scene, options.input.time),
-               (options.input.time - times[0]) / (times[1] - times[0]));
+  const SceneSource source(options.input.scene, options.input.choice);
+  converter.set_keys(source.at(times[0]), source.at(times[1]));
+  converter.at(source.at(options.input.time), (options.input.time - times[0]) / (times[1] - times[0]));
   const model::CompensationInput& in = converter.input();
   return {options.input.scene, in.width, in.height, {*in.key[0], *in.key[1]}, in.motion, in.weight};
 }

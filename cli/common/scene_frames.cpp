@@ -38,6 +38,7 @@ void add_frame_options(CLI::App* command, FrameInput& input) {
   command->add_option("--size", input.size, "frame, WxH; a *.tri has its own")->capture_default_str();
   command->add_option("--frames", input.frames, "frames A:B of the animation, from 0 on; default: all");
   command->add_option("--rate", input.rate, "frames a second")->capture_default_str()->check(above_zero());
+  add_scene_choice(command, input.choice);
 }
 
 model::FitScene load_frames(const FrameInput& input) {
@@ -52,12 +53,13 @@ model::FitScene load_frames(const FrameInput& input) {
   }
   const FrameSize size = parse_size(input.size);
   result.width = size.width, result.height = size.height;
-  const auto start = std::make_shared<ref::Scene>(ref::load_scene(input.scene));
+  const SceneSource source(input.scene, input.choice);
+  const auto start = std::make_shared<ref::Scene>(source.at(0));
   std::pair<int, int> range{0, int(std::floor(start->duration * input.rate))};
   if (!input.frames.empty()) range = parse_range(input.frames);
   for (int k = range.first; k <= range.second; ++k) {
     const double time = k / input.rate;
-    const auto scene = k == 0 ? start : std::make_shared<ref::Scene>(ref::load_scene(input.scene, time));
+    const auto scene = k == 0 ? start : std::make_shared<ref::Scene>(source.at(time));
     result.times.push_back(time);
     result.scenes.push_back(scene);
     result.frames.push_back([scene](const ref::View& view) { return ref::project(*scene, view); });

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "cli/common/scene_source.hpp"
 #include "study/fit/fit.hpp"
 
 namespace halfspace::cli {
@@ -15,6 +16,7 @@ struct FrameInput {
   std::string size = "640x480";  // a *.tri has its own
   std::string frames;            // "A:B", both included; empty: all of the animation
   double rate = 25;              // frames a second
+  ref::SceneChoice choice;
 };
 
 void add_frame_options(CLI::App* command, FrameInput& input);

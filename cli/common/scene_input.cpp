@@ -69,6 +69,7 @@ void add_scene_options(CLI::App* command, SceneInput& input) {
   command->add_option("--time", input.time, "seconds into the animation")->capture_default_str();
   command->add_option("--interval", input.interval,
                       "of a motion configuration: seconds T0:T1 of the key frames, with --time between them");
+  add_scene_choice(command, input.choice);
 }
 
 namespace {
@@ -167,9 +168,10 @@ LoadedScene load_between(const SceneInput& input, const model::Configuration& co
   const ref::OfKeys<double> times = interval_of(input);
   const ref::RasterFormat format = model::raster_format(configuration);
   const FrameSize size = input.size.empty() ? FrameSize{format.width, format.height} : parse_size(input.size);
-  const auto scene = std::make_shared<ref::Scene>(ref::load_scene(input.scene, input.time));
+  const SceneSource source(input.scene, input.choice);
+  const auto scene = std::make_shared<ref::Scene>(source.at(input.time));
   const ref::View view{size.width, size.height, format.range_bits, format.subpixel_bits};
-  const ref::OfKeys<ref::Scene> keys{ref::load_scene(input.scene, times[0]), ref::load_scene(input.scene, times[1])};
+  const ref::OfKeys<ref::Scene> keys{source.at(times[0]), source.at(times[1])};
   const double a = (input.time - times[0]) / (times[1] - times[0]);
   const auto between =
       std::make_shared<ref::Between>(ref::follow(ref::MotionMethod::kExact, keys[0], keys[1], *scene, a, view));
@@ -212,7 +214,8 @@ LoadedScene load_snapped(const SceneInput& input) {
       empty.height = size.height;
       snap_scene(input.scene, empty, first);  // throws
     }
-    scene = std::make_shared<ref::Scene>(ref::load_scene(input.scene, input.time, has_texture(chosen.config())));
+    scene = std::make_shared<ref::Scene>(
+        SceneSource(input.scene, input.choice, has_texture(chosen.config())).at(input.time));
     for (const std::string& loss : model::fit_textures(*scene, chosen.config()))
       std::fprintf(stderr, "warning: %s\n", loss.c_str());
     project = [scene](const ref::View& view) { return ref::project(*scene, view); };

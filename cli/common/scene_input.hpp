@@ -9,6 +9,7 @@
 #include <memory>
 #include <string>
 
+#include "cli/common/scene_source.hpp"
 #include "model/formats/configuration.hpp"
 #include "model/motion/motion.hpp"
 #include "model/pipeline/engine.hpp"
@@ -31,7 +32,8 @@ struct SceneInput {
   double time = 0;       // seconds into the animation
   std::string interval;  // "T0:T1", seconds: the key frames of a motion configuration, which draws the frame at `time`
                          // between them
-  int window = 0;        // of index reuse; not 0: there may be more triangles than the configuration takes
+  ref::SceneChoice choice;
+  int window = 0;  // of index reuse; not 0: there may be more triangles than the configuration takes
 };
 
 // Of the built-in scenes, the animated ones last, for a help text.

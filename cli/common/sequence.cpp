@@ -167,6 +167,7 @@ void add(Work& sum, const Work& work) {
 void add_sequence_options(CLI::App* command, SequenceOptions& o) {
   command->add_option("SCENE", o.scene, "an animated scene (" + builtin_names() + ") or a mesh file with an animation")
       ->required();
+  add_scene_choice(command, o.choice);
   command
       ->add_option("--keys", o.keys,
                    "key frames to frames in between, 1:1 … 1:4; auto: as many in between as keep --psnr")
@@ -221,7 +222,8 @@ Sequence run_sequence(const SequenceOptions& options, const std::function<void(c
         "--static-buffer: what moves is held against its depths, a sample at a time: leave out --half and --method "
         "straight");
   }
-  const ref::Scene scene = ref::load_scene(options.scene, double(options.first) / kFramesASecond, textured);
+  const SceneSource source(options.scene, options.choice, textured);
+  const ref::Scene scene = source.at(double(options.first) / kFramesASecond);
   if (scene.duration <= 0)
     throw ref::Error(fmt::format("{}: nothing moves in it: take an animated scene", options.scene));
   const int all = int(std::floor(scene.duration * kFramesASecond)) + 1 - options.first;
@@ -233,9 +235,7 @@ Sequence run_sequence(const SequenceOptions& options, const std::function<void(c
   const model::Configuration colour = colour_configuration(options, size);
   Sequence out{size.width, size.height, frames, {}, colour.name(), ""};
   std::optional<ref::DepthPlanes> planes;
-  const auto scene_at = [&](int number) {
-    return ref::load_scene(options.scene, double(options.first + number) / kFramesASecond, textured);
-  };
+  const auto scene_at = [&](int number) { return source.at(double(options.first + number) / kFramesASecond); };
   for (int n = 0; n < frames && (options.static_buffer || options.held_planes); ++n) {
     const ref::DepthPlanes at = ref::depth_planes(scene_at(n), double(size.width) / size.height);
     planes = planes ? ref::joined(*planes, at) : at;

@@ -19,6 +19,7 @@ namespace halfspace::cli {
 constexpr int kFramesASecond = 30;
 
 struct SequenceOptions {
+  ref::SceneChoice choice;
   std::string scene, engine = "hls", config, motion, size = "320x240", keys = "1:4";
   std::string filter, mapping, method = "exact", texture = "none", shading = "gouraud";
   int samples = 1, first = 0, frames = 0;  // frames 0: to the end of the animation

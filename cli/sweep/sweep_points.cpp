@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/sweep/sweep_points.hpp"
+#include "cli/common/scene_source.hpp"
 
 #include <fmt/format.h>
 
@@ -54,7 +55,7 @@ SweepScene load_scene(const SweepInput& input, const std::string& name, const Fr
       return moved;
     };
   } else {
-    const auto loaded = std::make_shared<ref::Scene>(ref::load_scene(name, input.time));
+    const auto loaded = std::make_shared<ref::Scene>(SceneSource(name, input.shown).at(input.time));
     scene.project = [loaded](const ref::View& view) { return ref::project(*loaded, view); };
   }
   return scene;

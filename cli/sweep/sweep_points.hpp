@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/sweep/sweep_configs.hpp"
+#include "ref/scene/scene.hpp"
 #include "study/trade/trade.hpp"
 
 namespace halfspace::cli {
@@ -16,8 +17,9 @@ struct SweepInput {
   std::vector<std::string> scenes;
   std::vector<std::string> vary;
   ConfigChoice choice{"middle", 0, false, true, {}};
-  std::string size;           // "WxH"; empty: the base's; a *.tri has its own
-  double time = 0;            // seconds into the animations
+  std::string size;  // "WxH"; empty: the base's; a *.tri has its own
+  double time = 0;   // seconds into the animations
+  ref::SceneChoice shown;
   std::string area = "none";  // targets of rtl/synth/area.py, commas between them
   std::string out = "sweep";
 };

@@ -6,12 +6,6 @@
 
 namespace halfspace::ref {
 
-glm::dmat3 normal_matrix(const glm::dmat4& to_world) {
-  const glm::dmat3 m(to_world);
-  const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
-  return glm::determinant(m) < 0 ? -1.0 * cofactors : cofactors;
-}
-
 glm::dvec3 placed_normal(const Mesh& mesh, std::uint32_t vertex, const glm::dmat3& turn, bool back) {
   glm::dvec3 normal = turn * mesh.normals[vertex];
   const double length = glm::length(normal);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ref/geometry/viewpoint.hpp"
+#include "ref/scene/normals.hpp"
 #include "ref/scene/scene.hpp"
 
 namespace halfspace::ref {
@@ -16,10 +17,6 @@ struct SurfacePoint {
   glm::dvec3 to_viewer;         // V, length 1
   glm::dvec3 colour;            // multiplies Ka and Kd
 };
-
-// Turns normals as `to_world` turns the surface, but for their length: the cofactors, which are right under any
-// scale, of mirrors too, and need no inverse.
-glm::dmat3 normal_matrix(const glm::dmat4& to_world);
 
 // A vertex of a mesh that is placed by `to_world`, whose normal matrix is `turn`; `back`: of a face that is seen from
 // behind.

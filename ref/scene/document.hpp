@@ -28,7 +28,8 @@ struct JointWeight {
 
 struct DocumentMesh {
   Mesh mesh;
-  bool is_flat = false;  // normals are to be made from the faces as they are posed, one a face; its own count for nothing
+  bool is_flat =
+      false;  // normals are to be made from the faces as they are posed, one a face; its own count for nothing
   std::vector<MorphTarget> targets;
   std::vector<JointWeight> joint_weights;  // those of a vertex are divided by their sum; none: moved with its node
   int skin = -1;                           // of its own, where the format has one for each mesh
@@ -76,6 +77,7 @@ struct DocumentCamera {
   std::string name;
   int node = -1;  // −1: those of the world
   Camera camera;
+  bool is_doubtful = false;  // its reader may have turned it the wrong way: it counts if it has anything in view
 };
 struct DocumentLight {
   int node = -1;
@@ -83,7 +85,7 @@ struct DocumentLight {
 };
 
 struct Document {
-  std::string name;  // the path
+  std::string name;         // the path
   std::vector<Node> nodes;  // parents before children, in the order in which they are drawn
   std::vector<DocumentMesh> meshes;
   std::vector<Skin> skins;
@@ -94,6 +96,10 @@ struct Document {
   std::vector<DocumentLight> lights;
   std::optional<glm::dvec3> ambient;
   std::vector<std::string> remarks;  // a sentence for each kind of thing that is not drawn as the file says
+};
+
+struct ReadChoice {
+  bool textured = false;
 };
 
 }  // namespace halfspace::ref

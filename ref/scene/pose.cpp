@@ -4,146 +4,131 @@
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <utility>
+
+#include "ref/scene/normals.hpp"
 
 namespace halfspace::ref {
 namespace {
 
-constexpr double kDefaultTicks = 25;  // a second, of a file that does not say
+using Values = std::vector<double>;
 
-glm::dvec3 between(const aiVectorKey& a, const aiVectorKey& b, double t) {
-  return glm::mix(to_glm(a.mValue), to_glm(b.mValue), t);
-}
-glm::dquat between(const aiQuatKey& a, const aiQuatKey& b, double t) {
-  const auto quaternion = [](const aiQuaternion& q) { return glm::dquat(q.w, q.x, q.y, q.z); };
-  return glm::normalize(glm::slerp(quaternion(a.mValue), quaternion(b.mValue), t));
-}
+glm::dquat rotation_of(const Values& v) { return glm::dquat(v[3], v[0], v[1], v[2]); }
+glm::dvec3 vector_of(const Values& v) { return {v[0], v[1], v[2]}; }
 
-std::map<unsigned, double> between(const aiMeshMorphKey& a, const aiMeshMorphKey& b, double t) {
-  std::map<unsigned, double> weights;
-  for (unsigned i = 0; i < a.mNumValuesAndWeights; ++i) weights[a.mValues[i]] += (1 - t) * a.mWeights[i];
-  for (unsigned i = 0; i < b.mNumValuesAndWeights; ++i) weights[b.mValues[i]] += t * b.mWeights[i];
-  return weights;
-}
-
-template <class Key>
-auto at_time(const Key* keys, unsigned count, double ticks) {
-  const Key* next = std::upper_bound(keys, keys + count, ticks, [](double t, const Key& key) { return t < key.mTime; });
-  if (next == keys) return between(*next, *next, 0);
-  const Key* last = next - 1;
-  if (next == keys + count || next->mTime <= last->mTime) return between(*last, *last, 0);
-  return between(*last, *next, (ticks - last->mTime) / (next->mTime - last->mTime));
-}
-
-glm::dmat4 at_time(const aiNodeAnim& channel, double ticks) {
-  glm::dmat4 matrix(1);
-  if (channel.mNumPositionKeys) {
-    matrix = glm::translate(matrix, at_time(channel.mPositionKeys, channel.mNumPositionKeys, ticks));
+// A line between two values, of rotations the shortest way round.
+Values between(ChannelPath path, const Values& a, const Values& b, double t) {
+  if (path == ChannelPath::kRotation) {
+    const glm::dquat q = glm::normalize(glm::slerp(rotation_of(a), rotation_of(b), t));
+    return {q.x, q.y, q.z, q.w};
   }
-  if (channel.mNumRotationKeys) {
-    matrix *= glm::mat4_cast(at_time(channel.mRotationKeys, channel.mNumRotationKeys, ticks));
+  Values mixed(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i) mixed[i] = a[i] * (1 - t) + b[i] * t;
+  return mixed;
+}
+
+// The cubic Hermite spline; tangents are a second's.
+Values hermite(const Values& a, const Values& leave, const Values& arrive, const Values& b, double t, double seconds) {
+  const double t2 = t * t, t3 = t2 * t;
+  Values mixed(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    mixed[i] = (2 * t3 - 3 * t2 + 1) * a[i] + seconds * (t3 - 2 * t2 + t) * leave[i] + (-2 * t3 + 3 * t2) * b[i] +
+               seconds * (t3 - t2) * arrive[i];
   }
-  if (channel.mNumScalingKeys) {
-    matrix = glm::scale(matrix, at_time(channel.mScalingKeys, channel.mNumScalingKeys, ticks));
+  return mixed;
+}
+
+Values at_time(const Channel& channel, double seconds) {
+  const bool cubic = channel.interpolation == Interpolation::kCubic;
+  const std::size_t keys = channel.times.size(), parts = cubic ? 3 : 1, width = channel.values.size() / (keys * parts);
+  const auto part = [&](std::size_t key, std::size_t which) {
+    const auto start = channel.values.begin() + std::ptrdiff_t((key * parts + which) * width);
+    return Values(start, start + std::ptrdiff_t(width));
+  };
+  const auto value = [&](std::size_t key) { return part(key, cubic ? 1 : 0); };
+  const std::size_t next =
+      std::upper_bound(channel.times.begin(), channel.times.end(), seconds) - channel.times.begin();
+  if (next == 0) return value(0);
+  const std::size_t last = next - 1;
+  if (next == keys || channel.interpolation == Interpolation::kStep) return value(last);
+  const double length = channel.times[next] - channel.times[last];
+  const double t = (seconds - channel.times[last]) / length;
+  if (cubic) return hermite(value(last), part(last, 2), part(next, 0), value(next), t, length);
+  return between(channel.path, value(last), value(next), t);
+}
+
+glm::dmat4 matrix_of(const Node& node) {
+  return glm::scale(glm::translate(glm::dmat4(1), node.translation) * glm::mat4_cast(node.rotation), node.scale);
+}
+
+void set(ChannelPath path, const Values& value, Node* node) {
+  switch (path) {
+    case ChannelPath::kTranslation: node->translation = vector_of(value); break;
+    case ChannelPath::kRotation: node->rotation = glm::normalize(rotation_of(value)); break;
+    case ChannelPath::kScale: node->scale = vector_of(value); break;
+    case ChannelPath::kWeights: node->weights = value;
   }
-  return matrix;
+}
+
+void normalize(glm::dvec3* normal) {
+  const double length = glm::length(*normal);
+  if (length > 0) *normal /= length;
 }
 
 }  // namespace
 
-// Assimp stores rows, GLM columns.
-glm::dmat4 to_glm(const aiMatrix4x4& m) {
-  glm::dmat4 matrix;
-  for (int row = 0; row < 4; ++row) {
-    for (int column = 0; column < 4; ++column) matrix[column][row] = m[row][column];
-  }
-  return matrix;
-}
-
-Pose::Pose(const aiScene& scene, double time_seconds) {
-  if (scene.mNumAnimations > 0) {
-    const aiAnimation& animation = *scene.mAnimations[0];
-    const double ticks_a_second = animation.mTicksPerSecond > 0 ? animation.mTicksPerSecond : kDefaultTicks;
-    const double ticks = time_seconds * ticks_a_second;
-    duration_ = animation.mDuration / ticks_a_second;
-    for (unsigned i = 0; i < animation.mNumChannels; ++i) {
-      animated_[animation.mChannels[i]->mNodeName.C_Str()] = at_time(*animation.mChannels[i], ticks);
+Pose::Pose(const Document& document, const Animation* animation, double seconds) {
+  std::vector<Node> nodes = document.nodes;
+  if (animation) {
+    for (const Channel& channel : animation->channels) {
+      Node& node = nodes[channel.node];
+      set(channel.path, at_time(channel, seconds), &node);
     }
-    for (unsigned i = 0; i < animation.mNumMorphMeshChannels; ++i) {
-      const aiMeshMorphAnim& channel = *animation.mMorphMeshChannels[i];
-      if (channel.mNumKeys) morphs_[channel.mName.C_Str()] = at_time(channel.mKeys, channel.mNumKeys, ticks);
+    for (const Channel& channel : animation->channels) {
+      if (channel.path != ChannelPath::kWeights) nodes[channel.node].matrix = matrix_of(nodes[channel.node]);
     }
   }
-  if (scene.mRootNode) place(*scene.mRootNode, glm::dmat4(1));
+  for (Node& node : nodes) {
+    to_world_.push_back(to_world(node.parent) * node.matrix);
+    weights_.push_back(std::move(node.weights));
+  }
 }
 
-void Pose::place(const aiNode& node, const glm::dmat4& parent) {
-  const auto animated = animated_.find(node.mName.C_Str());
-  const glm::dmat4 here = parent * (animated == animated_.end() ? to_glm(node.mTransformation) : animated->second);
-  by_node_[&node] = here;
-  by_name_.emplace(node.mName.C_Str(), here);
-  for (unsigned i = 0; i < node.mNumChildren; ++i) place(*node.mChildren[i], here);
-}
-
-glm::dmat4 Pose::to_world(const std::string& node) const {
-  const auto found = by_name_.find(node);
-  return found == by_name_.end() ? glm::dmat4(1) : found->second;
-}
-
-// Importers name a channel after the node or after the mesh.
-std::vector<double> Pose::morph_weights(const aiNode& node, const aiMesh& mesh) const {
+std::vector<double> Pose::weights(int node, const DocumentMesh& mesh) const {
+  if (weights_[node].size() == mesh.targets.size()) return weights_[node];
   std::vector<double> weights;
-  for (unsigned i = 0; i < mesh.mNumAnimMeshes; ++i) weights.push_back(mesh.mAnimMeshes[i]->mWeight);
-  auto found = morphs_.find(node.mName.C_Str());
-  if (found == morphs_.end()) found = morphs_.find(mesh.mName.C_Str());
-  if (found == morphs_.end()) return weights;
-  for (std::size_t i = 0; i < weights.size(); ++i) {
-    const auto weight = found->second.find(unsigned(i));
-    weights[i] = weight == found->second.end() ? 0 : weight->second;
-  }
+  for (const MorphTarget& target : mesh.targets) weights.push_back(target.weight);
   return weights;
 }
 
-// v + Σ w·(t − v), or of relative targets v + Σ w·t.
-void morph(const aiMesh& source, const std::vector<double>& weights, Mesh* mesh) {
-  const double less = source.mMethod == aiMorphingMethod_MORPH_RELATIVE ? 0 : 1;
-  const auto blend = [&](std::vector<glm::dvec3>& values, aiVector3D* aiAnimMesh::*target) {
-    const std::vector<glm::dvec3> base = values;
-    for (unsigned i = 0; i < source.mNumAnimMeshes; ++i) {
-      const aiAnimMesh& anim = *source.mAnimMeshes[i];
-      if (!(anim.*target) || anim.mNumVertices != base.size()) continue;
-      for (std::size_t v = 0; v < base.size(); ++v)
-        values[v] += weights[i] * (to_glm((anim.*target)[v]) - less * base[v]);
-    }
-  };
-  blend(mesh->positions, &aiAnimMesh::mVertices);
-  blend(mesh->normals, &aiAnimMesh::mNormals);
-  for (glm::dvec3& normal : mesh->normals) {
-    const double length = glm::length(normal);
-    if (length > 0) normal /= length;
+void morph(const DocumentMesh& source, const std::vector<double>& weights, Mesh* mesh) {
+  for (std::size_t i = 0; i < source.targets.size(); ++i) {
+    const MorphTarget& target = source.targets[i];
+    for (std::size_t v = 0; v < target.positions.size(); ++v) mesh->positions[v] += weights[i] * target.positions[v];
+    for (std::size_t v = 0; v < target.normals.size(); ++v) mesh->normals[v] += weights[i] * target.normals[v];
   }
+  for (glm::dvec3& normal : mesh->normals) normalize(&normal);
 }
 
-// Linear blend skinning: a vertex is moved by the weighted mean of its bones' matrices, each from the mesh as
-// it was bound.
-void skin(const aiMesh& source, const Pose& pose, const glm::dmat4& of_node, Mesh* mesh) {
+void skin(const DocumentMesh& source, const Skin& joints, const Pose& pose, const glm::dmat4& of_node, Mesh* mesh) {
+  std::vector<glm::dmat4> matrices;
+  for (const Joint& joint : joints) matrices.push_back(pose.to_world(joint.node) * joint.from_mesh);
   std::vector<glm::dmat4> blend(mesh->positions.size(), glm::dmat4(0));
-  std::vector<double> weights(mesh->positions.size(), 0);
-  for (unsigned i = 0; i < source.mNumBones; ++i) {
-    const aiBone& bone = *source.mBones[i];
-    const glm::dmat4 matrix = pose.to_world(bone.mName.C_Str()) * to_glm(bone.mOffsetMatrix);
-    for (unsigned w = 0; w < bone.mNumWeights; ++w) {
-      const aiVertexWeight& weight = bone.mWeights[w];
-      if (weight.mVertexId >= blend.size()) continue;
-      blend[weight.mVertexId] += double(weight.mWeight) * matrix;
-      weights[weight.mVertexId] += weight.mWeight;
-    }
+  std::vector<double> sums(mesh->positions.size(), 0);
+  for (const JointWeight& weight : source.joint_weights) {
+    blend[weight.vertex] += weight.weight * matrices[weight.joint];
+    sums[weight.vertex] += weight.weight;
   }
+  std::vector<bool> mirrored(mesh->positions.size());
   for (std::size_t v = 0; v < mesh->positions.size(); ++v) {
-    const glm::dmat4 matrix = weights[v] > 1e-6 ? blend[v] / weights[v] : of_node;
+    const glm::dmat4 matrix = sums[v] > 1e-6 ? blend[v] / sums[v] : of_node;
+    mirrored[v] = glm::determinant(glm::dmat3(matrix)) < 0;
     mesh->positions[v] = matrix * glm::dvec4(mesh->positions[v], 1);
-    const glm::dvec3 normal = glm::dmat3(matrix) * mesh->normals[v];
-    const double length = glm::length(normal);
-    if (length > 0) mesh->normals[v] = normal / length;
+    mesh->normals[v] = normal_matrix(matrix) * mesh->normals[v];
+    normalize(&mesh->normals[v]);
+  }
+  for (auto& corner : mesh->triangles) {
+    if (mirrored[corner[0]] && mirrored[corner[1]] && mirrored[corner[2]]) std::swap(corner[1], corner[2]);
   }
 }
 

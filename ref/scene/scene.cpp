@@ -3,10 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "ref/builtin/animated_scenes.hpp"
 #include "ref/builtin/builtin_scenes.hpp"
 #include "ref/error.hpp"
-#include "ref/scene/scene_file.hpp"
+#include "ref/scene/read_document.hpp"
+#include "ref/scene/scene_at.hpp"
 
 namespace halfspace::ref {
 namespace {
@@ -29,6 +32,13 @@ void check_mesh(const Scene& scene, const Mesh& mesh) {
   }
 }
 
+bool is_builtin(const std::string& name) {
+  for (const auto& names : {builtin_scene_names(), animated_scene_names()}) {
+    if (std::find(names.begin(), names.end(), name) != names.end()) return true;
+  }
+  return false;
+}
+
 void check(const Scene& scene) {
   for (const Mesh& mesh : scene.meshes) check_mesh(scene, mesh);
   std::size_t triangles = 0;
@@ -46,10 +56,21 @@ void check(const Scene& scene) {
 
 }  // namespace
 
-Scene load_scene(const std::string& name_or_path, double time_seconds, bool textured) {
-  std::optional<Scene> scene = builtin_scene(name_or_path);
-  if (!scene) scene = animated_scene(name_or_path, time_seconds, textured);
-  if (!scene) scene = read_scene_file(name_or_path, time_seconds, textured);
+SceneSource::SceneSource(const std::string& name_or_path, const SceneChoice& choice)
+    : name_(name_or_path), choice_(choice) {
+  if (is_builtin(name_)) return;
+  document_ = std::make_shared<const Document>(read_document(name_, choice_));
+  framing_ = framing_of(*document_, choice_);
+}
+
+Scene SceneSource::at(double seconds) const {
+  std::optional<Scene> scene;
+  if (document_) {
+    scene = scene_at(*document_, choice_, seconds, framing_);
+  } else {
+    scene = builtin_scene(name_);
+    if (!scene) scene = animated_scene(name_, seconds, choice_.textured);
+  }
   check(*scene);
   return std::move(*scene);
 }

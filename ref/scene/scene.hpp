@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -76,13 +77,41 @@ struct Scene {
   std::vector<glm::dvec3> framing;
   // Held over the frames of an animation, so that depths of its times compare; else they follow the geometry at hand.
   std::optional<DepthPlanes> depth_planes;
-  double duration = 0;  // seconds of the animation; 0 when the scene stands still
+  double duration = 0;               // seconds of the animation; 0 when the scene stands still
+  std::vector<std::string> remarks;  // a sentence for each kind of thing that is not as its file says
 };
 
-// A built-in scene by its name, or any file that Assimp reads, with the first of its animations (nodes,
-// bones and morph targets) at `time_seconds`; of the built-in scenes the animated ones move. Error on everything that
-// cannot be drawn. Textures are read if `textured`, and one that is missing is an error then.
-Scene load_scene(const std::string& name_or_path, double time_seconds = 0, bool textured = false);
+// What of a scene is drawn.
+struct SceneChoice {
+  bool textured = false;    // textures are read; one that is missing is an error then
+  std::string animation{};  // by name, or by number from 0 on; empty: the first, with a remark where there are more
+  std::string camera{};     // likewise; empty: the first; "auto": all of the scene is framed
+  bool two_sided = false;   // all faces are seen from behind as well
+  bool trust = false;       // the file is read in this process: a little faster, and what brings its reader down brings
+                            // this program down
+};
+
+struct Document;
+
+// A built-in scene by its name, or a file: glTF, or any that Assimp reads, with its animation (nodes, bones and morph
+// targets); of the built-in scenes the animated ones move. The file is read once, whatever the times.
+class SceneSource {
+ public:
+  // Error on what cannot be read.
+  explicit SceneSource(const std::string& name_or_path, const SceneChoice& = {});
+  // Error on everything that cannot be drawn.
+  Scene at(double seconds) const;
+
+ private:
+  std::string name_;
+  SceneChoice choice_;
+  std::shared_ptr<const Document> document_;  // null: built in
+  std::vector<glm::dvec3> framing_;
+};
+
+inline Scene load_scene(const std::string& name_or_path, double time_seconds = 0, const SceneChoice& choice = {}) {
+  return SceneSource(name_or_path, choice).at(time_seconds);
+}
 
 std::vector<std::string> builtin_scene_names();   // that stand still
 std::vector<std::string> animated_scene_names();  // built in as well

@@ -175,7 +175,7 @@ void compare_all(int width, int height) {
   }
   for (const char* file : {"/glTF2/BoxTextured-glTF-Binary/BoxTextured.glb", "/Collada/duck.dae"}) {
     const std::string path = std::string(HALFSPACE_TESTMODELS) + file;
-    compare<C>(path.substr(path.find_last_of('/') + 1), ref::load_scene(path, 0, true), width, height, total);
+    compare<C>(path.substr(path.find_last_of('/') + 1), ref::load_scene(path, 0, {true}), width, height, total);
   }
   EXPECT_GT(total.share, 0.3) << "the scenes are blind, or the bound is loose";
   if (!is_bilinear(C::config())) {

@@ -14,7 +14,7 @@ TEST(Compensate, AStillSceneIsItself) {
   for (const std::string& name : animated_scene_names()) {
     SCOPED_TRACE(name);
     for (const bool textured : {false, true}) {
-      const At still = [&](double) { return load_scene(name, 0.7, textured); };
+      const At still = [&](double) { return load_scene(name, 0.7, {textured}); };
       UpConversion mode = kPlain;
       if (textured) mode.texture = TextureMode{};
       for (const Filter filter : kFilters) {

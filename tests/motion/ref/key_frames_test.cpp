@@ -44,7 +44,7 @@ TEST(KeyFrames, SurfacesAreSmoothGroupsOfAnInstance) {
 
 TEST(BoxTexture, LeavesFacesInPlace) {
   for (const std::string& name : animated_scene_names()) {
-    const Scene plain = load_scene(name, 0.5), textured = load_scene(name, 0.5, true);
+    const Scene plain = load_scene(name, 0.5), textured = load_scene(name, 0.5, {true});
     ASSERT_EQ(plain.meshes.size(), textured.meshes.size());
     for (std::size_t m = 0; m < plain.meshes.size(); ++m) {
       const Mesh &a = plain.meshes[m], &b = textured.meshes[m];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/scene/promised_elements.hpp"
+#include "ref/scene/assimp/promised_elements.hpp"
 
 #include <fmt/format.h>
 

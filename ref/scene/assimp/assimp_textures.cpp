@@ -9,7 +9,7 @@
 #include <map>
 
 #include "ref/error.hpp"
-#include "ref/scene/scene_file_parts.hpp"
+#include "ref/scene/assimp/assimp_parts.hpp"
 
 namespace halfspace::ref {
 namespace {
@@ -50,7 +50,8 @@ std::string find_file(const std::string& scene, std::string named) {
 
 }  // namespace
 
-void add_textures(const aiScene& file, const std::string& path, Scene* scene) {
+void add_textures(const aiScene& file, Document* document) {
+  const std::string& path = document->name;
   std::map<std::string, int> numbers;
   for (unsigned i = 0; i < file.mNumMaterials; ++i) {
     aiString name;
@@ -59,13 +60,13 @@ void add_textures(const aiScene& file, const std::string& path, Scene* scene) {
         material.GetTexture(aiTextureType_DIFFUSE, 0, &name) != AI_SUCCESS) {
       continue;
     }
-    const auto [at, is_new] = numbers.try_emplace(name.C_Str(), int(scene->textures.size()));
+    const auto [at, is_new] = numbers.try_emplace(name.C_Str(), int(document->textures.size()));
     if (is_new) {
       const aiTexture* const embedded = file.GetEmbeddedTexture(name.C_Str());
-      scene->textures.push_back(embedded ? embedded_texture(*embedded, path + ": texture " + name.C_Str())
-                                         : read_texture(find_file(path, name.C_Str()), kTopRowIsAtOne));
+      document->textures.push_back(embedded ? embedded_texture(*embedded, path + ": texture " + name.C_Str())
+                                            : read_texture(find_file(path, name.C_Str()), kTopRowIsAtOne));
     }
-    scene->materials[i].texture = at->second;
+    document->materials[i].texture = at->second;
   }
 }
 

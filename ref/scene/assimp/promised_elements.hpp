@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#ifndef HALFSPACE_REF_SCENE_PROMISED_ELEMENTS_HPP_
-#define HALFSPACE_REF_SCENE_PROMISED_ELEMENTS_HPP_
+#ifndef HALFSPACE_REF_SCENE_ASSIMP_PROMISED_ELEMENTS_HPP_
+#define HALFSPACE_REF_SCENE_ASSIMP_PROMISED_ELEMENTS_HPP_
 
 #include <string>
 
@@ -13,4 +13,4 @@ void check_promised_elements(const std::string& path);
 
 }  // namespace halfspace::ref
 
-#endif  // HALFSPACE_REF_SCENE_PROMISED_ELEMENTS_HPP_
+#endif  // HALFSPACE_REF_SCENE_ASSIMP_PROMISED_ELEMENTS_HPP_
