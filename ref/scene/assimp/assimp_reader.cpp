@@ -8,6 +8,7 @@
 #include <assimp/DefaultLogger.hpp>
 #include <assimp/Importer.hpp>
 #include <cstring>
+#include <new>
 
 #include "ref/error.hpp"
 #include "ref/scene/assimp/assimp_parts.hpp"
@@ -41,6 +42,7 @@ const aiScene* import(Assimp::Importer& importer, const std::string& path) {
   Assimp::DefaultLogger::kill();
   if (!file) {
     const std::string reason = one_line(importer.GetErrorString());
+    if (reason == "std::bad_alloc") throw std::bad_alloc();
     throw Error(fmt::format("{}: cannot be read as a mesh ({}); check the file, or export it again", path,
                             reason.empty() ? "Assimp gives no reason" : reason));
   }
