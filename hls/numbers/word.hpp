@@ -16,17 +16,37 @@
 #if defined(HALFSPACE_STREAM_AC)
 #include <ac_int.h>
 namespace halfspace {
+// Of 64 bits an integer: Bambu keeps an object that goes through a channel in a memory, and an integer in a register.
+namespace word_detail {
 template <int W>
-using Word = ac_int<W, false>;
+struct WordOf {
+  using Type = ac_int<W, false>;
+};
+template <>
+struct WordOf<64> {
+  using Type = std::uint64_t;
+};
+}  // namespace word_detail
+template <int W>
+using Word = typename word_detail::WordOf<W>::Type;
 // Whole elements of an ac_int as Bambu has it: its co-simulations compare words as memory.
 constexpr int word_bits(int n) { return (n + 63) / 64 * 64; }
 template <int N, int W>
-HS_INLINE inline std::uint64_t bits(const Word<W>& word, int lsb) {
+HS_INLINE inline std::uint64_t bits(const ac_int<W, false>& word, int lsb) {
   return word.template slc<N>(lsb).to_uint64();
 }
 template <int N, int W>
-HS_INLINE inline void set_bits(Word<W>& word, int lsb, std::uint64_t value) {
+HS_INLINE inline void set_bits(ac_int<W, false>& word, int lsb, std::uint64_t value) {
   word.set_slc(lsb, ac_int<N, false>(value));
+}
+template <int N>
+HS_INLINE inline std::uint64_t bits(std::uint64_t word, int lsb) {
+  return word >> lsb & ~std::uint64_t(0) >> (64 - N);
+}
+template <int N>
+HS_INLINE inline void set_bits(std::uint64_t& word, int lsb, std::uint64_t value) {
+  const std::uint64_t mask = ~std::uint64_t(0) >> (64 - N);
+  word = (word & ~(mask << lsb)) | (value & mask) << lsb;
 }
 template <int W>
 HS_INLINE inline Word<W> zero_word() {
