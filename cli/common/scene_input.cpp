@@ -13,6 +13,7 @@
 #include "model/pipeline/engine.hpp"
 #include "model/shade/frame_lighting.hpp"
 #include "ref/error.hpp"
+#include "ref/geometry/distant_lighting.hpp"
 #include "ref/geometry/geometry.hpp"
 #include "ref/geometry/surface.hpp"
 #include "ref/geometry/triangle_list.hpp"

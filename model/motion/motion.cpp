@@ -6,6 +6,7 @@
 
 #include "ref/error.hpp"
 #include "ref/geometry/snap.hpp"
+#include "ref/motion/motion.hpp"
 
 namespace halfspace::model {
 

@@ -9,8 +9,12 @@
 
 #include "hls/formats/formats.hpp"
 #include "ref/geometry/snap.hpp"
-#include "ref/motion/motion.hpp"
-#include "ref/motion/relight.hpp"
+#include "ref/motion/of_keys.hpp"
+
+// So that whoever takes frames alone does not see how scenes are read.
+namespace halfspace::ref {
+struct Between;
+}
 
 namespace halfspace::model {
 

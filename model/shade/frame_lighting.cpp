@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/shade/frame_lighting.hpp"
+#include "ref/geometry/distant_lighting.hpp"
 
 namespace halfspace::model {
 

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "ref/error.hpp"
+#include "ref/geometry/distant_lighting.hpp"
 
 namespace halfspace::model {
 namespace {

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <glm/glm.hpp>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,7 +15,11 @@
 #include "hls/formats/formats.hpp"
 #include "model/formats/configuration.hpp"
 #include "model/formats/layout.hpp"
-#include "ref/geometry/distant_lighting.hpp"
+
+// So that whoever takes frames alone does not see how scenes are read.
+namespace halfspace::ref {
+struct DistantScene;
+}
 
 namespace halfspace::model {
 

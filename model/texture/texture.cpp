@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "ref/error.hpp"
+#include "ref/geometry/geometry.hpp"
 #include "ref/geometry/snap.hpp"
 
 namespace halfspace::model {

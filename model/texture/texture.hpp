@@ -10,7 +10,13 @@
 #include <vector>
 
 #include "hls/formats/formats.hpp"
-#include "ref/geometry/geometry.hpp"
+#include "ref/scene/texture.hpp"
+
+// So that whoever takes frames alone does not see how scenes are read.
+namespace halfspace::ref {
+class Geometry;
+struct Scene;
+}  // namespace halfspace::ref
 
 namespace halfspace::model {
 

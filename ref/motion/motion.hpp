@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "ref/geometry/geometry.hpp"
+#include "ref/motion/of_keys.hpp"
 #include "ref/scene/scene.hpp"
 
 namespace halfspace::ref {
@@ -27,11 +28,6 @@ enum class Standing {
   kCulled,    // it is one-sided and turns its back
   kDrawn,
 };
-
-// The two key times, the earlier one first.
-constexpr int kKeys = 2;
-template <class T>
-using OfKeys = std::array<T, kKeys>;
 
 // A scene at a time: where the corners of its faces are. Faces are numbered from 1 on, as Geometry numbers them, and
 // have their corners in its order, counter-clockwise seen from outside.

@@ -8,10 +8,7 @@
 
 namespace halfspace::ref {
 
-// Of the vertices of each triangle of a frame: their lit colours there less those of the same points at a key, 0-255,
-// as rounded to the colour bits at either, so that the planes of the difference are the difference of the planes. Where
-// a texture multiplies what is lit, times its mean: which texel a key shows is not known.
-using LightChange = std::vector<std::array<glm::dvec3, 3>>;
+// `between` is the frame, `key` the same scene at a key.
 LightChange light_change(Geometry& between, Geometry& key, int colour_bits, bool textured);
 
 // By planes, at each pixel of the field. `between` is the frame's of exact motion.

@@ -45,7 +45,7 @@ Configuration colour_of(const Kind& kind) {
 }
 
 ref::Scene scene_at(const Animation& animation, int n, const Config& colour) {
-  ref::Scene scene = ref::load_scene(animation.scene, (animation.first + n) / kRate, has_texture(colour));
+  ref::Scene scene = ref::load_scene(animation.scene, (animation.first + n) / kRate, {has_texture(colour)});
   if (has_texture(colour)) model::fit_textures(scene, colour);
   return scene;
 }
