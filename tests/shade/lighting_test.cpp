@@ -10,6 +10,7 @@
 #include "model/formats/format_fields.hpp"
 #include "model/shade/lighting_engine.hpp"
 #include "ref/error.hpp"
+#include "ref/geometry/distant_lighting.hpp"
 #include "ref/geometry/viewpoint.hpp"
 #include "ref/scene/scene.hpp"
 #include "study/bounds/bounds_exact.hpp"

@@ -107,7 +107,7 @@ TEST(Texture, IsFetchedAtScanOut) {
   const ref::RasterFormat format = model::raster_format("high");
   for (const char* file : {"/glTF2/BoxTextured-glTF-Binary/BoxTextured.glb", "/Collada/duck.dae"}) {
     SCOPED_TRACE(file);
-    const ref::Scene scene = ref::load_scene(std::string(HALFSPACE_TESTMODELS) + file, 0, true);
+    const ref::Scene scene = ref::load_scene(std::string(HALFSPACE_TESTMODELS) + file, 0, {true});
     ASSERT_FALSE(scene.textures.empty());
     for (const auto filter : {TextureFilter::kNearest, TextureFilter::kBilinear}) {
       const std::uint64_t each = filter == TextureFilter::kNearest ? 1 : 4;
