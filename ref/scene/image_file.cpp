@@ -5,10 +5,10 @@
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
 
 #include "ref/error.hpp"
+#include "ref/scene/input_file.hpp"
 
 namespace halfspace::ref {
 namespace {
@@ -16,7 +16,7 @@ namespace {
 Image from_input(const std::string& name, std::unique_ptr<OIIO::ImageInput> input) {
   if (!input) {
     throw Error(fmt::format("{}: the texture cannot be read ({}); check the file, or export the scene again", name,
-                            OIIO::geterror()));
+                            one_line(OIIO::geterror())));
   }
   const OIIO::ImageSpec spec = input->spec();
   if (spec.width < 1 || spec.height < 1 || spec.width > kLongestRead || spec.height > kLongestRead ||
@@ -27,7 +27,7 @@ Image from_input(const std::string& name, std::unique_ptr<OIIO::ImageInput> inpu
   Image image{spec.width, spec.height, spec.nchannels, {}};
   image.bytes.resize(std::size_t(spec.width) * spec.height * spec.nchannels);
   if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, image.bytes.data())) {
-    throw Error(fmt::format("{}: the texture cannot be read ({}); check the file", name, input->geterror()));
+    throw Error(fmt::format("{}: the texture cannot be read ({}); check the file", name, one_line(input->geterror())));
   }
   return image;
 }

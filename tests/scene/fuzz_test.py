@@ -133,8 +133,8 @@ class Fuzz:
             return f"{after.ru_maxrss // 1024} MB"
         if done.returncode == 0 and command[0] == "render" and not picture.is_file():
             return "status 0, and no picture"
-        if done.returncode == 2 and not said:
-            return "status 2, and no sentence"
+        if done.returncode != 0 and not said and command[0] != "compare":
+            return "a status, and no sentence"
         lines = [line for line in said.splitlines() if line]
         unframed = [line for line in lines if not re.match(r"halfspace: |warning: ", line)]
         if command[0] != "compare" and unframed:
