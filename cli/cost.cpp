@@ -193,8 +193,11 @@ void cost(const CostOptions& options) {
     const ref::View view{size.width * scale, size.height * scale, named.config().range_bits,
                          named.config().subpixel_bits};
     const FrontEnd front = front_end(named, ref::project(between, view), options.lanes);
+    if (front.pixels == 0)
+      throw ref::Error(
+          fmt::format("{}: nothing of it is in frame {}: choose another by --first", options.scene, options.first + 2));
     const double picture_pixels = front.pixels / (samples * samples);
-    Config numbers = model::default_motion(named.config());
+    Config numbers = model::default_motion(named.config(), &between);
     numbers.samples = samples;
     const model::Configuration motion = model::motion_configuration(named, numbers, view.width, view.height);
     const model::KernelUpConversion mode{size.width, size.height, named, motion};

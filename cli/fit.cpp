@@ -10,6 +10,7 @@
 #include "cli/commands.hpp"
 #include "cli/common/area.hpp"
 #include "cli/common/cosim.hpp"
+#include "cli/common/numbers.hpp"
 #include "cli/common/output.hpp"
 #include "cli/common/progress.hpp"
 #include "cli/common/scene_frames.hpp"
@@ -244,15 +245,18 @@ void add_fit(CLI::App& app, int&) {
       "  halfspace fit drone --frames 0:49 --size 320x240 --max-lsb 2 -o drone.toml\n");
   add_frame_options(command, options->input);
   command->add_option("--psnr", options->goal.psnr, "dB against the ideal picture, of each frame; 0: not asked")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->check(zero_or_more());
   command
       ->add_option("--max-lsb", options->goal.max_lsb,
                    "largest error of a colour, LSB of 8 bits, where the face is right; 0: not asked")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->check(zero_or_more());
   command
       ->add_option("--cycles", options->goal.cycles,
                    "cycles a frame at most: takes as many lanes as that needs; 0: not asked")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->check(zero_or_more());
   command->add_flag("--static-objects", options->goal.static_objects,
                     "let pixels know their objects, for static objects buffers, where some move, some stand still, and "
                     "it saves cycles");

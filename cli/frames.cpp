@@ -18,23 +18,28 @@ struct FramesOptions {
 
 void frames(const FramesOptions& options) {
   const FrameSize size = parse_size(options.sequence.size);
-  FrameWriter writer(options.output, size.width, size.height, kFramesASecond);
-  std::unique_ptr<FrameWriter> differences;
-  if (!options.difference.empty())
-    differences = std::make_unique<FrameWriter>(options.difference, size.width, size.height, kFramesASecond);
+  std::unique_ptr<FrameWriter> writer, differences;
   ref::Shares shares;
   Work work;
   int between = 0;
-  const Sequence sequence = run_sequence(options.sequence, [&](const SequenceFrame& frame) {
+  const auto begin = [&] {
+    const auto written = [&](const std::string& path) {
+      return path.empty() ? nullptr : std::make_unique<FrameWriter>(path, size.width, size.height, kFramesASecond);
+    };
+    writer.reset(), differences.reset();
+    writer = written(options.output), differences = written(options.difference);
+    shares = {}, work = {}, between = 0;
+  };
+  const Sequence sequence = run_sequence(options.sequence, begin, [&](const SequenceFrame& frame) {
     const Picture shown = picture_of(frame.shown, size.width, size.height);
-    writer.write(shown);
+    writer->write(shown);
     if (differences)
       differences->write(difference_picture(shown, picture_of(frame.rendered, size.width, size.height), options.gain));
     if (frame.is_key) return;
     ++between;
     add(shares, frame.shares), add(work, frame.work);
   });
-  writer.finish();
+  writer->finish();
   if (differences) differences->finish();
   const double shown = std::max(1.0, double(shares.blended + shares.copied + shares.filled + shares.still));
   fmt::print(

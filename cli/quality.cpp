@@ -56,10 +56,8 @@ void quality(const QualityOptions& options) {
   print("temporal average", q.average);
   print("nearer key", q.repeat);
   if (q.minterpolate) print("ffmpeg minterpolate", *q.minterpolate);
-  else
-    fmt::print("{:<20} not measured: it takes ffmpeg, and three keys or more as far apart as each other\n",
-               "ffmpeg minterpolate");
-  const double shown = double(q.shares.blended + q.shares.copied + q.shares.filled + q.shares.still);
+  else fmt::print("{:<20} not measured: {}\n", "ffmpeg minterpolate", q.no_minterpolate);
+  const double shown = std::max(1.0, double(q.shares.blended + q.shares.copied + q.shares.filled + q.shares.still));
   fmt::print(
       "\nof covered pixels {:.2f} % blended, {:.2f} % copied from one key, {:.2f} % rendered{}; classes are of 4x4 "
       "blocks, from {} dB on\n",

@@ -180,6 +180,7 @@ void render(const RenderOptions& options) {
 
   std::uint64_t covered = 0;
   for (const std::uint32_t index : frame.index) covered += index != 0;
+  tell_if_unseen(loaded, covered != 0);
   std::uint64_t reduced = 0;
   for (const bool visible : frame.visible) reduced += visible;
   const std::uint64_t in_view =

@@ -153,6 +153,7 @@ int report(const ReportOptions& options) {
   const auto engine = kernels_of(loaded, 16);
   const ref::Frame kernels = engine->render(scene);
   const model::Accuracy a = model::accuracy(reference, kernels, scene.format.depth_bits);
+  tell_if_unseen(loaded, std::any_of(reference.index.begin(), reference.index.end(), [](auto n) { return n != 0; }));
   constexpr int kGain = 64;
 
   const std::filesystem::path out(options.out);

@@ -101,7 +101,7 @@ void add_sweep(CLI::App& app, int& status) {
       ->capture_default_str();
   command->add_option("--lanes", input.choice.lanes, "pixels a stamp of the base: 1, 2, 4, 8, 16; default: its own");
   command->add_option("--size", input.size, "frame, WxH; default: the base's");
-  command->add_option("--time", input.time, "seconds into the animations")->capture_default_str();
+  command->add_option("--time", input.time, "seconds into the animations")->capture_default_str()->check(finite());
   command->add_flag("--star", input.choice.star,
                     "one number at a time from the base, in the place of all combinations");
   command->add_flag("--named,!--no-named", input.choice.named,

@@ -69,8 +69,10 @@ model::NamedCompensation compensation_of(const VectorsOptions& options, const mo
   model::KernelUpConverter converter({size.width / config.samples, size.height / config.samples,
                                       model::colour_configuration(configuration), configuration});
   const SceneSource source(options.input.scene, options.input.choice);
+  const ref::Scene between = source.at(options.input.time);
+  tell_if_faces_share(between, config);
   converter.set_keys(source.at(times[0]), source.at(times[1]));
-  converter.at(source.at(options.input.time), (options.input.time - times[0]) / (times[1] - times[0]));
+  converter.at(between, (options.input.time - times[0]) / (times[1] - times[0]));
   const model::CompensationInput& in = converter.input();
   return {options.input.scene, in.width, in.height, {*in.key[0], *in.key[1]}, in.motion, in.weight};
 }
@@ -136,6 +138,7 @@ void write_vectors(const VectorsOptions& options) {
   if (!standard && !largest) {
     LoadedScene scene = load_snapped(options.input);
     configuration = scene.configuration;
+    tell_if_unseen(scene, !scene.list.triangles.empty());
     frames.push_back({options.input.scene, scene.list});
     if (has_lighting(configuration.config())) frames.back().lighting = lighting_of(scene);
     if (has_texture(configuration.config())) frames.back().texture = texture_of(scene);

@@ -12,6 +12,11 @@ struct Error : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// The input is sound, and beyond what a configuration takes: a larger one may do.
+struct Misfit : Error {
+  using Error::Error;
+};
+
 }  // namespace halfspace::ref
 
 #endif  // HALFSPACE_REF_ERROR_HPP_

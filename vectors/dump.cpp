@@ -40,7 +40,7 @@ struct Size {
   int width, height;
 };
 Size dump_size(const fs::path& folder) {
-  const ref::TriangleList list = ref::read_tri((folder / "triangles.tri").string());
+  const ref::TriangleList list = ref::read_tri((folder / "triangles.tri").string(), true);
   return {list.width, list.height};
 }
 

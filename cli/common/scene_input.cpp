@@ -5,10 +5,12 @@
 
 #include <cctype>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <limits>
 #include <memory>
 
+#include "cli/common/numbers.hpp"
 #include "model/drivers/up_convert.hpp"
 #include "model/pipeline/engine.hpp"
 #include "model/shade/frame_lighting.hpp"
@@ -26,8 +28,8 @@ namespace {
 ref::SnappedList snap_scene(const std::string& name, const ref::TriangleList& list, const ref::RasterFormat& format) {
   try {
     return ref::snap(list, format, model::raster_formats());
-  } catch (const ref::Error& error) {
-    throw ref::Error(fmt::format("{}: {}", name, error.what()));
+  } catch (const ref::Misfit& misfit) {
+    throw ref::Misfit(fmt::format("{}: {}", name, misfit.what()));
   }
 }
 
@@ -67,7 +69,7 @@ void add_scene_options(CLI::App* command, SceneInput& input) {
                       "number formats: low (320x200), middle (640x480), high (1920x1080) or a .toml file; default: "
                       "middle, or high when the scene does not fit");
   command->add_option("--size", input.size, "frame, WxH; default: the size in the file, or the configuration's own");
-  command->add_option("--time", input.time, "seconds into the animation")->capture_default_str();
+  command->add_option("--time", input.time, "seconds into the animation")->capture_default_str()->check(finite());
   command->add_option("--interval", input.interval,
                       "of a motion configuration: seconds T0:T1 of the key frames, with --time between them");
   add_scene_choice(command, input.choice);
@@ -100,6 +102,23 @@ model::TextureFrame texture_of(const LoadedScene& loaded) {
 
 model::MotionFrame motion_of(const LoadedScene& loaded) {
   return model::motion_frame(*loaded.between, loaded.configuration.config(), loaded.change);
+}
+
+void tell_if_faces_share(const ref::Scene& scene, const Config& motion) {
+  const int bits = model::face_bits_of(scene);
+  if (bits <= motion.face_bits) return;
+  std::fprintf(stderr,
+               "halfspace: %s: faces share the %d numbers of configuration %s, so that a pixel may take the colour of "
+               "another face: raise face_bits to %d\n",
+               scene.name.c_str(), (1 << motion.face_bits) - 1, motion.name, bits);
+}
+
+void tell_if_unseen(const LoadedScene& loaded, bool covers) {
+  if (covers || !loaded.scene) return;
+  const ref::SnappedList& list = loaded.list;
+  const ref::View view{list.width, list.height, list.format.range_bits, list.format.subpixel_bits};
+  std::fprintf(stderr, "halfspace: %s: nothing is in view: %s\n", loaded.name.c_str(),
+               ref::why_unseen(*loaded.scene, view).c_str());
 }
 
 std::unique_ptr<model::Engine> kernels_of(const LoadedScene& loaded, int lanes) {
@@ -146,7 +165,8 @@ ref::OfKeys<double> interval_of(const SceneInput& input) {
   const auto first = std::from_chars(text.data(), end, times[0]);
   const bool has_colon = first.ec == std::errc() && first.ptr != end && *first.ptr == ':';
   const auto second = has_colon ? std::from_chars(first.ptr + 1, end, times[1]) : first;
-  if (!has_colon || second.ec != std::errc() || second.ptr != end || !(times[0] < times[1])) {
+  if (!has_colon || second.ec != std::errc() || second.ptr != end || !(times[0] < times[1]) ||
+      !std::isfinite(times[0]) || !std::isfinite(times[1])) {
     throw ref::Error(fmt::format("--interval {}: not the times of two key frames: write it like 0.1:0.3", text));
   }
   if (input.time < times[0] || input.time > times[1]) {
@@ -171,13 +191,15 @@ LoadedScene load_between(const SceneInput& input, const model::Configuration& co
   const FrameSize size = input.size.empty() ? FrameSize{format.width, format.height} : parse_size(input.size);
   const SceneSource source(input.scene, input.choice);
   const auto scene = std::make_shared<ref::Scene>(source.at(input.time));
+  tell_if_faces_share(*scene, configuration.config());
   const ref::View view{size.width, size.height, format.range_bits, format.subpixel_bits};
   const ref::OfKeys<ref::Scene> keys{source.at(times[0]), source.at(times[1])};
   const double a = (input.time - times[0]) / (times[1] - times[0]);
   const auto between =
       std::make_shared<ref::Between>(ref::follow(ref::MotionMethod::kExact, keys[0], keys[1], *scene, a, view));
-  LoadedScene loaded{snap_scene(input.scene, between->list, format), configuration,
-                     [scene](const ref::View& v) { return ref::project(*scene, v); }, scene, between};
+  LoadedScene loaded{input.scene,   snap_scene(input.scene, between->list, format),
+                     configuration, [scene](const ref::View& v) { return ref::project(*scene, v); },
+                     scene,         between};
   if (!relights(configuration.config())) return loaded;
   loaded.change = model::light_changes(*scene, {&keys[0], &keys[1]}, view, format.colour_bits, false);
   return loaded;
@@ -225,13 +247,13 @@ LoadedScene load_snapped(const SceneInput& input) {
     ref::RasterFormat format = model::raster_format(configuration);
     if (input.window != 0) format.triangles = std::numeric_limits<int>::max();
     const ref::TriangleList list = project({size.width, size.height, format.range_bits, format.subpixel_bits});
-    return {snap_scene(input.scene, list, format), configuration, project, scene, nullptr};
+    return {input.scene, snap_scene(input.scene, list, format), configuration, project, scene, nullptr};
   };
   if (!input.config.empty()) return snapped(chosen);
   // Not said: middle if the scene fits it.
   try {
     return snapped(chosen);
-  } catch (const ref::Error&) {
+  } catch (const ref::Misfit&) {
     return snapped(model::find_configuration("high"));
   }
 }

@@ -43,6 +43,7 @@ std::string builtin_names();
 void add_scene_options(CLI::App* command, SceneInput& input);
 
 struct LoadedScene {
+  std::string name;
   ref::SnappedList list;
   model::Configuration configuration;  // of its format
   model::Projection project;           // the scene as another view sees it
@@ -62,6 +63,12 @@ model::TextureFrame texture_of(const LoadedScene& loaded);
 
 // Where the triangles are in the key frames; colours as if they were the same in these.
 model::MotionFrame motion_of(const LoadedScene& loaded);
+
+// On standard error, where a picture covers no pixel: why.
+void tell_if_unseen(const LoadedScene& loaded, bool covers);
+
+// On standard error, where the configuration of the motion has fewer numbers than the scene has faces.
+void tell_if_faces_share(const ref::Scene& scene, const Config& motion);
 
 // The kernels of its configuration, with its lighting, its textures or its motion if they take them.
 std::unique_ptr<model::Engine> kernels_of(const LoadedScene& loaded, int lanes);

@@ -128,13 +128,13 @@ void set_number(Config& config, const std::string& text) {
 }
 
 model::Configuration motion_of(const SequenceOptions& options, const FrameSize& size,
-                               const model::Configuration& colour) {
+                               const model::Configuration& colour, const ref::Scene& scene) {
   if (!options.motion.empty()) {
     Config numbers = model::find_configuration(options.motion).config();
     for (const std::string& text : options.set) set_number(numbers, text);
     return model::Configuration(numbers.name, numbers);
   }
-  Config numbers = model::default_motion(colour.config());
+  Config numbers = model::default_motion(colour.config(), &scene);
   if (!options.filter.empty()) model::set_choice(numbers, "filter", options.filter);
   if (!options.mapping.empty()) model::set_choice(numbers, "mapping", options.mapping);
   if (options.method == "straight") numbers.mapping = TextureMapping::kAffine;
@@ -175,7 +175,8 @@ void add_sequence_options(CLI::App* command, SequenceOptions& o) {
   command
       ->add_option("--psnr", o.psnr,
                    "dB that each frame in between has to keep against its rendered one, with --keys auto")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->check(finite());
   command->add_option("--engine", o.engine, "ref: floating-point reference; hls: fixed-point kernels")
       ->check(CLI::IsMember({"ref", "hls"}))
       ->capture_default_str();
@@ -213,7 +214,9 @@ void add_sequence_options(CLI::App* command, SequenceOptions& o) {
   command->add_flag("--surfaces", o.surfaces, "for --engine ref: pixels match by smooth surfaces, not by faces");
 }
 
-Sequence run_sequence(const SequenceOptions& options, const std::function<void(const SequenceFrame&)>& sink) {
+namespace {
+
+Sequence run_with(const SequenceOptions& options, const std::function<void(const SequenceFrame&)>& sink) {
   const int fill = between_of(options.keys);
   const FrameSize size = parse_size(options.size);
   const bool textured = options.texture != "none";
@@ -252,7 +255,8 @@ Sequence run_sequence(const SequenceOptions& options, const std::function<void(c
   } else {
     if (!options.index_test || options.surfaces)
       throw ref::Error("--no-index-test, --surfaces: the kernels go by faces: take --engine ref");
-    const model::Configuration motion = motion_of(options, size, colour);
+    const model::Configuration motion = motion_of(options, size, colour, scene);
+    tell_if_faces_share(scene, motion.config());
     out.motion = motion.name();
     out.tile_bytes = 64 * model::key_pixel_bits(motion.config()) / 8;
     const auto method = options.method == "straight" ? ref::MotionMethod::kStraight : ref::MotionMethod::kExact;
@@ -302,6 +306,22 @@ Sequence run_sequence(const SequenceOptions& options, const std::function<void(c
     }
   }
   return out;
+}
+
+}  // namespace
+
+Sequence run_sequence(const SequenceOptions& options, const std::function<void()>& begin,
+                      const std::function<void(const SequenceFrame&)>& sink) {
+  begin();
+  try {
+    return run_with(options, sink);
+  } catch (const ref::Misfit& misfit) {
+    if (!options.config.empty() || !options.motion.empty())
+      throw ref::Error(fmt::format("{}: {}", options.scene, misfit.what()));
+  }
+  SequenceOptions larger = options;
+  larger.config = "high";
+  return run_sequence(larger, begin, sink);
 }
 
 }  // namespace halfspace::cli

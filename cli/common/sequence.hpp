@@ -60,8 +60,11 @@ struct Sequence {
   int tile_bytes = 0;          // of a key frame, likewise
 };
 
-// Tells of each frame in order. Progress on standard error. Throws ref::Error.
-Sequence run_sequence(const SequenceOptions& options, const std::function<void(const SequenceFrame&)>& sink);
+// Tells of each frame in order. begin() comes before them, and again before the first where the sequence is drawn anew:
+// where no configuration is named, a frame that does not fit `middle` has all of them drawn with `high`. Progress on
+// standard error. Throws ref::Error.
+Sequence run_sequence(const SequenceOptions& options, const std::function<void()>& begin,
+                      const std::function<void(const SequenceFrame&)>& sink);
 
 }  // namespace halfspace::cli
 

@@ -5,6 +5,7 @@
 
 #include "cli/plots/gnuplot.hpp"
 #include "cli/plots/video.hpp"
+#include "ref/error.hpp"
 
 namespace halfspace::cli {
 namespace {
@@ -23,25 +24,24 @@ ref::Colours colours_of(const Picture& picture) {
   return colours;
 }
 
-// What the filter makes of the keys, for the frames in between that it reaches.
-std::optional<ref::Quality> quality_of_minterpolate(const Sequence& sequence,
-                                                    const std::vector<ref::Colours>& rendered) {
+// What the filter makes of the keys, for the frames in between that it reaches. Throws ref::Error where it makes none.
+ref::Quality quality_of_minterpolate(const Sequence& sequence, const std::vector<ref::Colours>& rendered) {
   const std::size_t keys = sequence.keys.size();
-  if (!ffmpeg_is_installed() || keys < 3) return std::nullopt;
-  const int factor = sequence.keys[1] - sequence.keys[0];
+  const int factor = keys < 2 ? 0 : sequence.keys[1] - sequence.keys[0];
   std::vector<Picture> shown;
   for (std::size_t k = 0; k < keys; ++k) {
     if (sequence.keys[k] != int(k) * factor) break;  // the last interval is shorter
     shown.push_back(picture_of(rendered[std::size_t(sequence.keys[k])], sequence.width, sequence.height));
   }
-  if (shown.size() < 3 || factor < 2) return std::nullopt;
+  if (shown.size() < 3 || factor < 2) throw ref::Error("it takes three keys or more, as far apart as each other");
   const std::vector<Picture> made = interpolated_by_ffmpeg(shown, factor);
   ref::MeanQuality mean;
   for (std::size_t n = 0; n < made.size() && n < rendered.size(); ++n) {
     if (n % std::size_t(factor) == 0) continue;
     mean.add(ref::quality(colours_of(made[n]), rendered[n], sequence.width, sequence.height));
   }
-  return mean.frames() ? std::optional(mean.mean()) : std::nullopt;
+  if (mean.frames() == 0) throw ref::Error("ffmpeg makes no frame of pictures of this size");
+  return mean.mean();
 }
 
 }  // namespace
@@ -51,7 +51,11 @@ SequenceQuality measure_sequence(const SequenceOptions& options, bool with_minte
   const FrameSize size = parse_size(options.size);
   std::vector<ref::Colours> rendered;
   ref::MeanQuality compensated, average, repeat;
-  out.sequence = run_sequence(options, [&](const SequenceFrame& frame) {
+  const auto begin = [&] {
+    out = {}, rendered.clear();
+    compensated = average = repeat = {};
+  };
+  out.sequence = run_sequence(options, begin, [&](const SequenceFrame& frame) {
     if (with_minterpolate) rendered.push_back(frame.rendered);
     if (frame.is_key) return;
     const auto against = [&](const ref::Colours& picture) {
@@ -66,7 +70,12 @@ SequenceQuality measure_sequence(const SequenceOptions& options, bool with_minte
   out.between = compensated.frames();
   if (out.between == 0) return out;
   out.compensated = compensated.mean(), out.average = average.mean(), out.repeat = repeat.mean();
-  if (with_minterpolate) out.minterpolate = quality_of_minterpolate(out.sequence, rendered);
+  if (!with_minterpolate) return out;
+  try {
+    out.minterpolate = quality_of_minterpolate(out.sequence, rendered);
+  } catch (const ref::Error& error) {  // as ffmpeg is not there, or does not take the size
+    out.no_minterpolate = error.what();
+  }
   return out;
 }
 

@@ -18,8 +18,9 @@ struct SequenceQuality {
   Sequence sequence;
   int between = 0;
   ref::Quality compensated, average, repeat;
-  std::optional<ref::Quality> minterpolate;  // none without ffmpeg, or where intervals are not of one length
-  ref::Shares shares;                        // of pixels of the field, all frames
+  std::optional<ref::Quality> minterpolate;
+  std::string no_minterpolate;  // why there is none, if it was asked for
+  ref::Shares shares;           // of pixels of the field, all frames
   Work work;
   std::vector<std::array<double, ref::kBlockClasses>> blocks;  // of each frame in between
   std::vector<std::array<double, ref::kBlockClasses>> average_blocks;

@@ -78,7 +78,15 @@ void leave_out(const std::vector<bool>& still, const ref::Scene& scene, ref::Bet
 
 }  // namespace
 
-Config default_motion(const Config& colour) {
+int face_bits_of(const ref::Scene& scene) {
+  std::size_t faces = 0;
+  for (const ref::Instance& placed : scene.instances) faces += scene.meshes[placed.mesh].triangles.size();
+  int bits = 1;
+  while (faces >> bits != 0) ++bits;
+  return bits;
+}
+
+Config default_motion(const Config& colour, const ref::Scene* numbered) {
   Config c{};
   c.filter = KeyFilter::kBilinear;
   c.mapping = TextureMapping::kPerspective;
@@ -86,7 +94,7 @@ Config default_motion(const Config& colour) {
   c.coordinate_bits = std::min(24, colour.reciprocal_bits - 4);
   c.vector_fraction = 5;
   c.weight_bits = 6;
-  c.face_bits = 16;
+  c.face_bits = numbered ? std::clamp(face_bits_of(*numbered), 16, 22) : 16;
   c.relight = 1;
   c.samples = 1;
   return c;

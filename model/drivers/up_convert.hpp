@@ -16,7 +16,9 @@
 namespace halfspace::model {
 
 // Numbers of motion that cost hardly any quality: docs/frames.md shows what fewer bits cost.
-Config default_motion(const Config& colour);
+Config default_motion(const Config& colour, const ref::Scene* numbered = nullptr);
+// The bits that number each face of the scene.
+int face_bits_of(const ref::Scene& scene);
 
 // The numbers of motion of `motion` on the triangles of `colour`: the same grid of vertices and the same depths,
 // without which field and frames disagree at every edge. `width` and `height` are of the field. A vector_range of 0

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 
-#include "ref/error.hpp"
 #include "ref/geometry/face_parts.hpp"
 
 namespace halfspace::ref {
@@ -21,12 +20,6 @@ Geometry::Geometry(const Scene& scene, const View& view)
       guard_planes_(guard_planes(view)),
       list_{view.width, view.height, {scene.background.r, scene.background.g, scene.background.b}, {}, {}} {
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) draw(i);
-  if (list_.triangles.empty()) {
-    throw Error(
-        fmt::format("{}: no triangle faces the camera within the frame; turn the camera, or take it out of the file"
-                    " to have the scene framed",
-                    scene_.name));
-  }
 }
 
 void Geometry::draw(std::uint32_t instance) {
@@ -44,10 +37,16 @@ void Geometry::draw(std::uint32_t instance) {
     if (mirrored) std::swap(corner[1], corner[2]);
     const glm::dvec4 &a = positions[corner[0]], &b = positions[corner[1]], &c = positions[corner[2]];
     std::vector<ClipVertex> polygon{{a, {1, 0, 0}}, {b, {0, 1, 0}}, {c, {0, 0, 1}}};
-    if (outside_one(polygon, frame_planes_)) continue;
+    if (outside_one(polygon, frame_planes_)) {
+      ++unseen_.outside;
+      continue;
+    }
     // Twice the area on the screen times the three w: right also for triangles that reach behind the viewer.
-    const bool faces = glm::determinant(glm::dmat3(a.x, a.y, a.w, b.x, b.y, b.w, c.x, c.y, c.w)) > 0;
-    face_parts(clip(std::move(polygon), guard_planes_), two_sided, view_, [&](const FacePart& part) {
+    const double area = glm::determinant(glm::dmat3(a.x, a.y, a.w, b.x, b.y, b.w, c.x, c.y, c.w));
+    const bool faces = area > 0;
+    const std::size_t before = list_.triangles.size();
+    const std::vector<ClipVertex> left = clip(std::move(polygon), guard_planes_);
+    face_parts(left, two_sided, view_, [&](const FacePart& part) {
       list_.triangles.push_back(part.triangle);
       list_.face.push_back(face_);
       origins_.push_back({instance,
@@ -56,6 +55,8 @@ void Geometry::draw(std::uint32_t instance) {
                           {part.from[0]->weights, part.from[1]->weights, part.from[2]->weights},
                           {part.from[0]->position.w, part.from[1]->position.w, part.from[2]->position.w}});
     });
+    if (list_.triangles.size() != before) continue;
+    ++(left.size() < 3 ? unseen_.outside : area < 0 ? unseen_.behind : unseen_.flat);
   }
 }
 
@@ -124,6 +125,22 @@ std::array<glm::dvec2, 3> Geometry::uv(std::size_t k) const {
     for (int i = 0; i < 3; ++i) coordinates[v] += origin.weights[v][i] * mesh.texture_coordinates[origin.corner[i]];
   }
   return coordinates;
+}
+
+std::string why_unseen(const Scene& scene, const View& view) {
+  const Geometry geometry(scene, view);
+  const Unseen& unseen = geometry.unseen();
+  const std::size_t drawn = geometry.origins().size();
+  if (drawn != 0)
+    return fmt::format("its {} triangles in the frame cover no pixel centre: take a larger frame or a nearer camera",
+                       drawn);
+  if (unseen.behind != 0)
+    return fmt::format("its {} triangles in the frame are seen from behind, and culled: --two-sided draws them",
+                       unseen.behind);
+  if (unseen.flat != 0)
+    return fmt::format("its {} triangles in the frame are seen edge on or have no area: turn the camera", unseen.flat);
+  return fmt::format("its {} triangles are outside of what the camera sees: turn it, or choose another",
+                     unseen.outside);
 }
 
 TriangleList lit_triangles(Geometry& geometry) {

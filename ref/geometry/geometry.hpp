@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "ref/geometry/clip.hpp"
@@ -26,15 +27,21 @@ struct Origin {
   std::array<double, 3> w;              // of its vertices in clip space
 };
 
+// Faces of which nothing is drawn: outside of the frame, seen from behind, or without an area there.
+struct Unseen {
+  std::uint64_t outside = 0, behind = 0, flat = 0;
+};
+
 // Transform, clipping, division, viewport, culling by the constructor; Phong lighting at the vertices on request.
 // Triangles come in the order of instances, meshes and faces, each with the number of its face, which no view changes.
-// Error when none is left. The scene outlives it.
+// There may be none. The scene outlives it.
 class Geometry {
  public:
   Geometry(const Scene&, const View&);
 
   const TriangleList& positions() const { return list_; }  // all black
   const std::vector<Origin>& origins() const { return origins_; }
+  const Unseen& unseen() const { return unseen_; }
   const Scene& scene() const { return scene_; }
   const Viewpoint& viewpoint() const { return viewpoint_; }
 
@@ -70,10 +77,14 @@ class Geometry {
   std::vector<ClipPlane> frame_planes_, guard_planes_;
   TriangleList list_;
   std::vector<Origin> origins_;
+  Unseen unseen_;
   std::vector<Placement> placements_;  // one an instance
   std::uint32_t face_ = 0;             // of the scene, the one at hand
   std::uint64_t lit_corners_ = 0;
 };
+
+// Of a view that shows nothing of the scene: whether camera, culling or size is the reason, and a remedy.
+std::string why_unseen(const Scene&, const View&);
 
 // The positions, with the colours of all vertices; and all of it at once.
 TriangleList lit_triangles(Geometry&);

@@ -56,7 +56,7 @@ std::uint8_t snapped_colour(double value, int bits) {
 
 SnappedList snap(const TriangleList& list, const RasterFormat& format, const std::vector<RasterFormat>& others) {
   const std::string reason = misfit(list, format);
-  if (!reason.empty()) throw Error(reason + "; " + remedy(list, others));
+  if (!reason.empty()) throw Misfit(reason + "; " + remedy(list, others));
 
   SnappedList snapped{format, list.width, list.height, {}, {}};
   for (int c = 0; c < 3; ++c) snapped.background[c] = snapped_colour(list.background[c], format.colour_bits);

@@ -60,7 +60,7 @@ double snapped_position(double pixels, int subpixel_bits);
 // A channel of 0 … 255 as `bits` of the hardware.
 std::uint8_t snapped_colour(double value, int bits);
 
-// Error when the frame, the number of triangles or a position is beyond `format`; it names the first of
+// Misfit when the frame, the number of triangles or a position is beyond `format`; it names the first of
 // `others` that takes the list.
 SnappedList snap(const TriangleList&, const RasterFormat&, const std::vector<RasterFormat>& others = {});
 

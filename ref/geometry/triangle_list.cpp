@@ -19,7 +19,7 @@ class TriReader {
  public:
   explicit TriReader(const std::string& path) : path_(path) {}
 
-  TriangleList read() {
+  TriangleList read(bool may_be_empty) {
     check_input_file(path_);
     std::ifstream file(path_, std::ios::binary);
     for (std::string line; std::getline(file, line);) {
@@ -30,7 +30,8 @@ class TriReader {
     }
     if (file.bad()) throw Error(fmt::format("{}:{}: the file cannot be read further; check the disk", path_, line_));
     if (!sized_) throw Error(fmt::format("{}: there is no line 'size W H'; put it first", path_));
-    if (list_.triangles.empty()) throw Error(fmt::format("{}: there are no triangles; add a line 't ...'", path_));
+    if (list_.triangles.empty() && !may_be_empty)
+      throw Error(fmt::format("{}: there are no triangles; add a line 't ...'", path_));
     return std::move(list_);
   }
 
@@ -151,7 +152,7 @@ void put(std::string& line, double value) {
 
 bool is_tri_file(const std::string& path) { return extension_of(path) == "tri"; }
 
-TriangleList read_tri(const std::string& path) { return TriReader(path).read(); }
+TriangleList read_tri(const std::string& path, bool may_be_empty) { return TriReader(path).read(may_be_empty); }
 
 void write_tri(std::ostream& out, const TriangleList& list) {
   out << "size " << list.width << ' ' << list.height << '\n';

@@ -37,8 +37,8 @@ constexpr int kLargestSide = 65536;
 
 bool is_tri_file(const std::string& path);
 
-// Error with file and line on everything malformed.
-TriangleList read_tri(const std::string& path);
+// Error with file and line on everything malformed, and on a list without triangles unless `may_be_empty`.
+TriangleList read_tri(const std::string& path, bool may_be_empty = false);
 
 // Every number in the shortest form that reads back as the same double.
 void write_tri(std::ostream&, const TriangleList&);

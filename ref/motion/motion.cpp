@@ -178,8 +178,6 @@ Between follow(MotionMethod method, const Scene& first, const Scene& second, con
     while (k < faces.size() && faces[k] < face) ++k;
     for (; k < faces.size() && faces[k] == face; ++k) take(*exact, k);
   }
-  if (out.list.triangles.empty())
-    throw Error(fmt::format("{}: no triangle faces the camera between the keys; choose other times", between.name));
   return out;
 }
 

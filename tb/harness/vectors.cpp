@@ -152,6 +152,11 @@ const Stream* Vectors::find(const std::string& name) const {
   return nullptr;
 }
 
+bool Vectors::is_background() const {
+  const auto empty = [](const Frame& frame) { return !frame.has_triangles; };
+  return find("triangle") && std::all_of(frames.begin(), frames.end(), empty);
+}
+
 Vectors load_manifest(const std::string& directory) {
   const std::string file = directory + "/manifest.json";
   std::ifstream in(file);
@@ -180,6 +185,7 @@ Vectors load_manifest(const std::string& directory) {
     const std::vector<Place> background = item.at("background").items();
     if (background.size() != 3) item.at("background").fail("is not [r, g, b]");
     for (int i = 0; i < 3; ++i) frame.background[i] = std::uint32_t(background[i].integer(0, 255));
+    if (item.has("triangles")) frame.has_triangles = item.at("triangles").integer(0, std::int64_t(1) << 32) != 0;
     if (item.has("note")) frame.note = item.at("note").text();
     vectors.frames.push_back(frame);
   }

@@ -47,6 +47,7 @@ struct Frame {
   std::uint32_t width = 0, height = 0;
   std::uint32_t background[3] = {0, 0, 0};
   std::string note;
+  bool has_triangles = true;
 };
 
 inline bool same_registers(const Frame& a, const Frame& b) {
@@ -64,6 +65,8 @@ struct Vectors {
 
   int lanes() const { return lanes_x * lanes_y; }
   const Stream* find(const std::string& name) const;
+  // No frame has a triangle, so that what only triangles cause has no words.
+  bool is_background() const;
   // The stream that comes out at the end of the pipeline: pixel, of a configuration with objects entry, between key
   // frames motion.
   const char* shown() const { return find("motion") ? "motion" : find("entry") ? "entry" : "pixel"; }
