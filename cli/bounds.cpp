@@ -168,6 +168,8 @@ void add_bounds(CLI::App& app, int& status) {
   auto options = std::make_shared<BoundsOptions>();
   CLI::App* command = app.add_subcommand("bounds", "proved and seen errors of every kernel of a configuration");
   command->footer(
+      "  halfspace bounds --config high                            proved and seen errors of each kernel\n"
+      "  halfspace bounds --config low --triangles 0 --gappa proofs  the proofs alone, as scripts\n"
       "Errors are against exact arithmetic on the snapped triangle. `proof` names the script that proves the bound; "
       "write them\n"
       "with --gappa and run each with `gappa DIR/NAME.g`: it says nothing when it has proved it. `share` is "

@@ -46,7 +46,10 @@ void add_compare(CLI::App& app, int& status) {
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("compare", "hold two dumps or two vector sets against each other");
-  command->footer("Exit status 0: equal; 1: they differ, or cannot be read.\n");
+  command->footer(
+      "What `halfspace render --dump A` wrote, or `halfspace vectors --out A`. Exit status 0: equal; 1: they differ, "
+      "or "
+      "cannot be read.\n");
   command->add_option("A", options->a, "folder of a dump or a vector set")->required();
   command->add_option("B", options->b, "another of the same kind")->required();
   add_json(command, options->json);

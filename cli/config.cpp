@@ -94,9 +94,10 @@ void add_config(CLI::App& app, int&) {
   auto options = std::make_shared<ConfigOptions>();
   CLI::App* command = app.add_subcommand("config", "show configurations and the widths that follow from them");
   command->footer(
-      "A configuration is a .toml file: `halfspace config middle --toml mine.toml` writes one to begin with. Every "
-      "command\n"
-      "takes its path in the place of a name. A combination that cannot be built is refused with its reason.\n");
+      "  halfspace config middle                      the numbers, and every width that follows\n"
+      "  halfspace config middle --toml mine.toml     a configuration to begin with\n"
+      "A configuration is a .toml file: every command takes its path in the place of a name. A combination that cannot "
+      "be\nbuilt is refused with its reason.\n");
   command->add_option("CONFIG", options->configurations, "low, middle, high or .toml files")->capture_default_str();
   add_output_file(command, "--header", options->header, "C++ header to write, for hls/formats/configs/");
   add_output_file(command, "--toml", options->toml, "TOML file to write");
@@ -109,6 +110,7 @@ void add_package(CLI::App& app, int&) {
   auto config = std::make_shared<std::string>("middle");
   auto output = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand("package", "print the SystemVerilog package of a configuration");
+  command->footer("  halfspace package --config low -o hs_formats_pkg.sv\n");
   command->add_option("--config", *config, "low, middle, high or a .toml file")->capture_default_str();
   add_output_file(command, "-o,--output", *output, "file to write; default: standard output");
   command->callback([config, output] {

@@ -254,6 +254,8 @@ void add_cost(CLI::App& app, int&) {
   auto options = std::make_shared<CostOptions>();
   CLI::App* command =
       app.add_subcommand("cost", "what a frame between key frames costs against rendering it, by shading");
+  command->footer(
+      "  halfspace cost cube_fast --size 160x120    cycles, multiplications and bytes, drawn and made of key frames\n");
   command
       ->add_option("SCENE", options->scene,
                    "an animated scene (" + builtin_names() + ") or a mesh file with an animation")

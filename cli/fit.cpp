@@ -55,8 +55,8 @@ Json json_of(const model::Requirements& r) {
 }
 
 void print(const model::Requirements& r, const FitScene& scene) {
-  fmt::print("{}: {} frame{} of {}x{}\n", scene.name, scene.frames.size(), scene.frames.size() == 1 ? "" : "s",
-             scene.width, scene.height);
+  fmt::print("{}: {} frame{} of {}x{}{}\n", scene.name, scene.frames.size(), scene.frames.size() == 1 ? "" : "s",
+             scene.width, scene.height, scene.views > 1 ? fmt::format(", from {} sides", scene.views) : "");
   fmt::print("  vertices within x {:.0f} … {:.0f}, y {:.0f} … {:.0f} pixels; {} triangles in view at most\n", r.x_low,
              r.x_high, r.y_low, r.y_high, r.triangles);
   fmt::print("  steepest plane: depth {:.3g} of full scale a pixel, colour {:.3g} LSB a pixel; {}\n", r.depth_gradient,
@@ -65,7 +65,7 @@ void print(const model::Requirements& r, const FitScene& scene) {
   else
     fmt::print("  {} pixels have two surfaces or more, as near as {:.2g} of full scale\n", r.overlapping,
                r.depth_separation);
-  if (scene.frames.size() > 1) fmt::print("  a vertex moves {:.2f} pixels a frame at most\n", r.motion);
+  if (scene.frames.size() > scene.views) fmt::print("  a vertex moves {:.2f} pixels a frame at most\n", r.motion);
 }
 
 // What is not there, and why.
@@ -120,14 +120,19 @@ void print_numbers(const Fit& fit, const Configuration& high) {
       mine.object / 1e6, high.name(), theirs.total() / 1e6, 100 - 100.0 * mine.total() / theirs.total());
 }
 
-// The pipeline of both, and what is saved, for each target.
+// The pipeline of both, with the same lanes, and what is saved, for each target.
 Json compare_area(const Fit& fit, const Configuration& high, const std::vector<std::string>& targets,
                   const std::string& work) {
   if (targets.empty()) return nullptr;
-  std::fprintf(stderr, "area of %s and of %s by Yosys: some minutes\n", fit.configuration.name().c_str(),
-               high.name().c_str());
-  const Json mine = measure_area(fit.configuration, targets, work + "/area"),
-             theirs = measure_area(high, targets, work + "/area");
+  const int lanes = fit.configuration.config().lanes;
+  Config beside = high.config();
+  beside.lanes = lanes;
+  const auto measured = [&](const Configuration& configuration) {
+    const Waiting waiting(fmt::format("area of {} with {} lane{} by Yosys, some minutes", configuration.name(), lanes,
+                                      lanes == 1 ? "" : "s"));
+    return measure_area(configuration, targets, work + "/area");
+  };
+  const Json mine = measured(fit.configuration), theirs = measured(Configuration(high.name(), beside));
   Json json = Json::object();
   for (const std::string& target : targets) {
     const auto pipeline = [&](const Json& area) {
@@ -137,8 +142,7 @@ Json compare_area(const Fit& fit, const Configuration& high, const std::vector<s
       throw ref::Error("the area tool tells nothing of the pipeline: this is a fault of the program");
     };
     const Json a = pipeline(mine), b = pipeline(theirs);
-    fmt::print("{}, {} lane{} beside {}'s {}:", target, fit.configuration.config().lanes,
-               fit.configuration.config().lanes == 1 ? "" : "s", high.name(), high.config().lanes);
+    fmt::print("{}, {} lane{}, beside {} with as many:", target, lanes, lanes == 1 ? "" : "s", high.name());
     for (const char* column : {"lut", "ff", "dsp", "memory_bits"}) {
       const double here = a[column].get<double>(), there = b[column].get<double>();
       fmt::print(" {} of {} {}{}", a[column].get<std::uint64_t>(), b[column].get<std::uint64_t>(), column,
@@ -165,7 +169,8 @@ Json prove(const FitOptions& options, const FitScene& scene, const Fit& fit, con
   const ref::RasterFormat format = model::raster_format(fit.configuration);
   for (std::size_t k = 0; k < scene.frames.size(); ++k) {
     const auto list = scene.frames[k]({scene.width, scene.height, format.range_bits, format.subpixel_bits});
-    frames.push_back({fmt::format("{} at {} s", scene.name, scene.times[k]), ref::snap(list, format)});
+    frames.push_back(
+        {fmt::format("{} at {} s, side {}", scene.name, scene.times[k], scene.side(k)), ref::snap(list, format)});
   }
   const Cosimulation cosim = cosimulate(work, scene.name, fit.configuration, lanes, frames);
   fmt::print("co-simulated: {} words, {} mismatches, {} cycles a frame with {} lane{}\n", cosim.words, cosim.mismatches,
@@ -215,6 +220,7 @@ void fit(const FitOptions& options) {
       options.json,
       {{"scene", scene.name},
        {"frames", scene.frames.size()},
+       {"views", scene.views},
        {"width", scene.width},
        {"height", scene.height},
        {"goal", {{"psnr_db", options.goal.psnr}, {"max_lsb", options.goal.max_lsb}, {"cycles", options.goal.cycles}}},
@@ -241,9 +247,16 @@ void add_fit(CLI::App& app, int&) {
       "All frames of the scene are drawn with configurations of ever fewer bits, against the ideal picture: positions "
       "not\n"
       "snapped, nothing rounded. What is found is rendered again, and its RTL co-simulated, before it is written.\n"
-      "  halfspace fit teapot --psnr 45 -o teapot.toml\n"
-      "  halfspace fit drone --frames 0:49 --size 320x240 --max-lsb 2 -o drone.toml\n");
+      "  halfspace fit cube --size 160x120 --psnr 45 -o cube.toml            its circuit beside that of high, by "
+      "Yosys\n"
+      "  halfspace fit teapot --views 4 --size 320x240 --area none --no-cosim  from four sides\n"
+      "  halfspace fit drone --frames 0:4 --size 160x120 --max-lsb 2 --area none -o drone.toml\n");
   add_frame_options(command, options->input);
+  command
+      ->add_option("--views", options->input.views,
+                   "the scene from so many sides, its view turned about the vertical; the worst counts")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 360));
   command->add_option("--psnr", options->goal.psnr, "dB against the ideal picture, of each frame; 0: not asked")
       ->capture_default_str()
       ->check(zero_or_more());

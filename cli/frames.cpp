@@ -83,10 +83,11 @@ void add_frames(CLI::App& app, int&) {
   command->add_option("--gain", options->gain, "of --difference")->capture_default_str()->check(CLI::Range(1, 128));
   add_json(command, options->json);
   command->footer(
-      "  halfspace frames drone --keys 1:4 -o drone.mp4           one frame in five is drawn\n"
-      "  halfspace frames drone --keys auto --psnr 50 -o d.mp4     keys where the motion asks for them\n"
-      "  halfspace frames court --static-buffer -o court.mp4       the castle is drawn once, the drone alone is "
-      "compensated\n"
+      "  halfspace frames drone --keys 1:4 -o drone.mp4            one frame in five is drawn\n"
+      "  halfspace frames drone --keys auto --psnr 50 -o auto.mp4  keys where the motion asks for them\n"
+      "  halfspace frames court --frames 21 --static-buffer -o court_%02d.png  the castle is drawn once, the drone "
+      "alone "
+      "is compensated\n"
       "docs/frames.md says how frames are made.\n");
   command->callback([options] { frames(*options); });
 }

@@ -111,11 +111,11 @@ int run(int argc, char** argv) {
   });
   app.footer(
       "examples\n"
-      "  halfspace render teapot -o /tmp/teapot.png                    a picture by the kernels\n"
-      "  halfspace render castle --engine ref --dump /tmp/ref          index, depth and colour of the reference\n"
-      "  halfspace render castle --dump /tmp/hls                       those of the kernels\n"
-      "  halfspace compare /tmp/ref /tmp/hls                           what differs, and where first: then status 1\n"
-      "  halfspace vectors teapot --config low --lanes 4 --out /tmp/v  vectors for a test bench of your own\n"
+      "  halfspace render teapot -o teapot.png                         a picture by the kernels\n"
+      "  halfspace render castle --engine ref --dump ref               index, depth and colour of the reference\n"
+      "  halfspace render castle --dump hls                            those of the kernels\n"
+      "  halfspace compare ref hls                                     what differs, and where first: then status 1\n"
+      "  halfspace vectors teapot --config low --lanes 4 --out vectors  words for a test bench of your own\n"
       "halfspace COMMAND --help tells the options of a command.\n");
   int status = 0;
   halfspace::cli::add_render(app, status);

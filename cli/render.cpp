@@ -209,6 +209,13 @@ void render(const RenderOptions& options) {
 void add_render(CLI::App& app, int&) {
   auto options = std::make_shared<RenderOptions>();
   CLI::App* command = app.add_subcommand("render", "render a scene with the reference or the kernels");
+  command->footer(
+      "  halfspace render teapot -o teapot.png                                  by the kernels, with the bits of the "
+      "RTL\n"
+      "  halfspace render castle --config high --size 1280x720 -o castle.png\n"
+      "  halfspace render castle --engine ref --shading phong -o phong.png      by the reference\n"
+      "  halfspace render drone --time 0.5 --size 320x240 --json -              numbers alone, of a moment of an "
+      "animation\n");
   add_scene_options(command, options->input);
   command
       ->add_option("--engine", options->engine,

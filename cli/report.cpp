@@ -196,6 +196,8 @@ void add_report(CLI::App& app, int& status) {
   auto options = std::make_shared<ReportOptions>();
   CLI::App* command =
       app.add_subcommand("report", "pictures and the table of the stages, with the co-simulation's counts");
+  command->footer(
+      "  halfspace report teapot --config low --size 320x200 --out report    pictures of both, and errors by stage\n");
   add_scene_options(command, options->input);
   command->add_option("--out", options->out, "folder for the pictures")->required();
   command->add_option("--cosim", options->cosim, "JSON that tb_pipeline wrote");

@@ -269,9 +269,12 @@ void add_repro(CLI::App& app, int&) {
       "  halfspace repro A                     index rendering: lightings, buffers and bandwidth of four "
       "architectures\n"
       "  halfspace repro B castle teapot       dual pipeline: instructions and time that deferred lighting saves\n"
-      "  halfspace repro C gouraud --frames 31  frame-rate up-conversion: PSNR of frames that are made, ten "
-      "animations\n"
-      "  halfspace repro E                     static objects buffer: 180 M triangles, of which few objects move\n"
+      "  halfspace repro C gouraud --frames 11 --size 160x120  frame-rate up-conversion: PSNR of frames that are made, "
+      "ten animations\n"
+      "  halfspace repro E --objects 300 --moving 5 --frames 10 --full-frames 2 --width 160 --height 120  static "
+      "objects "
+      "buffer;\n"
+      "                                        without these numbers 180 M triangles, and minutes\n"
       "docs/repro.md says what the numbers are.\n");
   const auto add = [&](const char* name, const char* what, void (*run)(const ReproOptions&)) {
     auto options = std::make_shared<ReproOptions>();

@@ -198,6 +198,7 @@ void add_stability(CLI::App& app, int&) {
   auto options = std::make_shared<StabilityOptions>();
   CLI::App* command = app.add_subcommand("stability", "error of planes against the shape and size of triangles");
   command->footer(
+      "  halfspace stability --config low --out stability    CSV, JSON and two plots\n"
       "Depth and colour planes before rounding, against exact arithmetic, at covered pixel centres: the kernels\n"
       "beside float32 planes from the origin of the frame and from a vertex, and beside fixed point whose gradients\n"
       "saturate.\n");

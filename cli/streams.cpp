@@ -102,6 +102,8 @@ void add_streams(CLI::App& app, int&) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("streams", "the streams between the units: who sends what to whom, and when");
   command->footer(
+      "  halfspace streams                  all that there are\n"
+      "  halfspace streams low --lanes 4    those of a configuration\n"
       "Without CONFIG all streams that there are. kind: `stored` goes into a memory that always takes, `loaded` is "
       "there\nbefore the frame, `fetch` goes to or from a memory outside, `probe` is watched and no queue.\n");
   command->add_option("CONFIG", options->config, "those of this configuration alone, with the bits of their words");

@@ -58,7 +58,6 @@ int run(const SweepOptions& options) {
     list_points(sweep);
     return 0;
   }
-  model::make_folder(sweep.input.out);
   if (options.merge) return merge(sweep);
   if (options.point) {
     if (options.point > int(sweep.points.size())) {
@@ -66,9 +65,11 @@ int run(const SweepOptions& options) {
           fmt::format("--point {}: there are {} points: --list tells them", options.point, sweep.points.size()));
     }
     const SweepPoint& point = sweep.points[std::size_t(options.point) - 1];
+    model::make_folder(sweep.input.out);
     if (stored_result(sweep, point).is_null()) compute_point(sweep, point);
     return 0;
   }
+  model::make_folder(sweep.input.out);
   const std::vector<std::string> failures = compute_points(sweep, options.jobs);
   if (failures.empty()) return merge(sweep);
   for (const std::string& failure : failures) fmt::print("failed: {}\n", failure);
@@ -84,8 +85,8 @@ void add_sweep(CLI::App& app, int& status) {
   CLI::App* command =
       app.add_subcommand("sweep", "what accuracy costs: configurations measured on scenes, tables and plots");
   command->footer(
-      "  halfspace sweep teapot castle --vary subpixel_bits=1..11 --out sweep\n"
-      "  halfspace sweep teapot --star --vary subpixel_bits=2,4,8 --vary lanes=1,4,16 --area xilinx --jobs 2\n"
+      "  halfspace sweep teapot castle --size 320x200 --vary subpixel_bits=2..11 --out sweep\n"
+      "  halfspace sweep teapot --size 320x200 --star --no-named --vary lanes=1,4 --area xilinx --jobs 2 --out area\n"
       "All combinations of the values, or with --star one number at a time from the base. A combination that cannot be "
       "built is\n"
       "listed with its reason. Written: OUT/sweep.csv, sweep.json and plots; each point has a file in OUT/points, so "

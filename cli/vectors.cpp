@@ -187,6 +187,8 @@ void add_vectors(CLI::App& app, int&) {
   auto options = std::make_shared<VectorsOptions>();
   CLI::App* command = app.add_subcommand("vectors", "write the words of every stream between two units");
   command->footer(
+      "  halfspace vectors teapot --config low --lanes 4 --out vectors    one scene, and corner cases before it\n"
+      "  halfspace vectors standard --config low --out standard           the corner cases alone\n"
       "Annotated corner cases come first, then random frames, then the frame of SCENE; `standard` as SCENE stands\n"
       "for the first two alone, `largest` for the largest frame and the last index, `compensation` for the unit of "
       "that\n"

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/common/files.hpp"
+#include "cli/common/progress.hpp"
 #include "cli/common/shell.hpp"
 #include "model/package/package.hpp"
 #include "ref/error.hpp"
@@ -31,13 +32,17 @@ Cosimulation cosimulate(const std::string& folder, const std::string& scene, con
   model::make_folder(folder);
   const std::string package = (work / "hs_formats_pkg.sv").string(), report = (work / "cosim.json").string();
   model::write_file(package, model::formats_package(configuration));
-  run(fmt::format("python3 {} --package {} --lanes {} --out {} --library {} --library {}",
-                  shell_quoted(data_file("tb/model.py")), shell_quoted(package), lanes,
-                  shell_quoted((work / "model").string()), shell_quoted(bench_library("halfspace_tb")),
-                  shell_quoted(bench_library("halfspace_verilated"))),
-      (work / "model.log").string(), "building the bench");
+  {
+    const Waiting waiting(scene + ": building the bench");
+    run(fmt::format("python3 {} --package {} --lanes {} --out {} --library {} --library {}",
+                    shell_quoted(data_file("tb/model.py")), shell_quoted(package), lanes,
+                    shell_quoted((work / "model").string()), shell_quoted(bench_library("halfspace_tb")),
+                    shell_quoted(bench_library("halfspace_verilated"))),
+        (work / "model.log").string(), "building the bench");
+  }
   model::write_vector_set((work / "vectors").string(), {scene, configuration, lanes, 0}, frames, nullptr);
   std::filesystem::remove(report);
+  const Waiting waiting(scene + ": co-simulating");
   // Its status tells of mismatches as well: the report decides.
   const int status =
       std::system(fmt::format("{} {} --json {} > {} 2>&1", shell_quoted((work / "model" / "bench").string()),

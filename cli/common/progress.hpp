@@ -6,8 +6,11 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <condition_variable>
 #include <cstdio>
+#include <mutex>
 #include <string>
+#include <thread>
 
 namespace halfspace::cli {
 
@@ -36,6 +39,46 @@ class Progress {
   bool terminal_ = isatty(2) != 0;
   bool told_ = false;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now(), last_ = start_;
+};
+
+// Work of which no part is known to be done, as another program does it: told by the time it takes.
+class Waiting {
+ public:
+  explicit Waiting(std::string what) : what_(std::move(what)), teller_([this] { tell(); }) {}
+  ~Waiting() {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      over_ = true;
+    }
+    changed_.notify_all();
+    teller_.join();
+  }
+  Waiting(const Waiting&) = delete;
+  Waiting& operator=(const Waiting&) = delete;
+
+ private:
+  void tell() {
+    const bool terminal = isatty(2) != 0;
+    bool told = false;
+    std::unique_lock<std::mutex> lock(mutex_);
+    for (int seconds = 2; !changed_.wait_for(lock,
+                                             std::chrono::seconds(told && !terminal ? 10
+                                                                  : told            ? 1
+                                                                                    : 2),
+                                             [this] { return over_; });
+         seconds += terminal ? 1 : 10) {
+      std::fprintf(stderr, "%s%s: %d s%s", terminal ? "\r" : "", what_.c_str(), seconds, terminal ? "" : "\n");
+      std::fflush(stderr);
+      told = true;
+    }
+    if (told && terminal) std::fputc('\n', stderr);
+  }
+
+  std::string what_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  bool over_ = false;
+  std::thread teller_;
 };
 
 }  // namespace halfspace::cli

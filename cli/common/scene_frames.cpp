@@ -5,6 +5,9 @@
 
 #include <charconv>
 #include <cmath>
+#include <glm/gtc/constants.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <limits>
 #include <memory>
 
 #include "cli/common/numbers.hpp"
@@ -28,6 +31,25 @@ std::pair<int, int> parse_range(const std::string& text) {
   return {first, last};
 }
 
+// The view of the scene, about the vertical through its middle.
+void turn(ref::Scene& scene, double angle) {
+  if (angle == 0) return;
+  const glm::dmat3 rotation(glm::rotate(glm::dmat4(1), angle, glm::dvec3(0, 1, 0)));
+  scene.view_direction = rotation * scene.view_direction;
+  if (!scene.camera) return;
+  glm::dvec3 low(std::numeric_limits<double>::max()), high(std::numeric_limits<double>::lowest());
+  for (const ref::Instance& placed : scene.instances) {
+    for (const glm::dvec3& position : scene.meshes[placed.mesh].positions) {
+      const glm::dvec3 point(placed.to_world * glm::dvec4(position, 1));
+      low = glm::min(low, point), high = glm::max(high, point);
+    }
+  }
+  const glm::dvec3 middle = (low + high) / 2.0;
+  ref::Camera& camera = *scene.camera;
+  camera.position = middle + rotation * (camera.position - middle);
+  camera.forward = rotation * camera.forward, camera.up = rotation * camera.up;
+}
+
 }  // namespace
 
 void add_frame_options(CLI::App* command, FrameInput& input) {
@@ -42,9 +64,11 @@ void add_frame_options(CLI::App* command, FrameInput& input) {
 }
 
 model::FitScene load_frames(const FrameInput& input) {
-  model::FitScene result{input.scene, 0, 0, {}, {}, {}};
+  model::FitScene result{input.scene, 0, 0, {}, {}};
   if (ref::is_tri_file(input.scene)) {
     const auto list = std::make_shared<ref::TriangleList>(ref::read_tri(input.scene));
+    if (input.views > 1)
+      throw ref::Error(fmt::format("{}: its triangles lie on the screen: leave out --views", input.scene));
     if (list->triangles.empty()) throw ref::Error(fmt::format("{}: no triangle: nothing to fit", input.scene));
     result.width = list->width, result.height = list->height;
     result.times = {0};
@@ -57,13 +81,17 @@ model::FitScene load_frames(const FrameInput& input) {
   const auto start = std::make_shared<ref::Scene>(source.at(0));
   std::pair<int, int> range{0, int(std::floor(start->duration * input.rate))};
   if (!input.frames.empty()) range = parse_range(input.frames);
-  for (int k = range.first; k <= range.second; ++k) {
-    const double time = k / input.rate;
-    const auto scene = k == 0 ? start : std::make_shared<ref::Scene>(source.at(time));
-    result.times.push_back(time);
-    result.scenes.push_back(scene);
-    result.frames.push_back([scene](const ref::View& view) { return ref::project(*scene, view); });
+  for (int side = 0; side < input.views; ++side) {
+    for (int k = range.first; k <= range.second; ++k) {
+      const double time = k / input.rate;
+      const auto scene = std::make_shared<ref::Scene>(k == 0 ? *start : source.at(time));
+      turn(*scene, 2 * glm::pi<double>() * side / input.views);
+      result.times.push_back(time);
+      result.scenes.push_back(scene);
+      result.frames.push_back([scene](const ref::View& view) { return ref::project(*scene, view); });
+    }
   }
+  result.views = std::size_t(input.views);
   return result;
 }
 

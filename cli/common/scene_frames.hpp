@@ -16,6 +16,7 @@ struct FrameInput {
   std::string size = "640x480";  // a *.tri has its own
   std::string frames;            // "A:B", both included; empty: all of the animation
   double rate = 25;              // frames a second
+  int views = 1;                 // from so many sides
   ref::SceneChoice choice;
 };
 

@@ -61,27 +61,40 @@ std::string column_name(const Sweep& sweep, const std::string& column) {
   return column == "lut" ? lut_column(sweep) : column;
 }
 
-// The rows that differ from the base in `key` alone; a number that was varied without the base's value stands at its
-// first.
-std::vector<const Json*> rows_along(const Sweep& sweep, const std::vector<Json>& rows, const std::string& key) {
+// What is drawn along `key`: the rows that differ from the base in it alone. A number that was varied without the
+// base's value stands at its first, which the picture has to say.
+struct Along {
+  std::vector<const Json*> rows;
+  std::string instead;  // ", f = 1" for each of those
+};
+
+Along rows_along(const Sweep& sweep, const std::vector<Json>& rows, const std::string& key) {
   Json reference = to_json(base_numbers(sweep.input.choice));
+  Along along;
   for (const Variation& variation : sweep.variations) {
     if (sweep.input.choice.star || variation.key == key || variation.key == "shading") continue;
     const std::string now = std::to_string(reference[variation.key].get<int>());
     const auto& values = variation.values;
-    if (std::find(values.begin(), values.end(), now) == values.end())
-      reference[variation.key] = std::stoi(values.front());
+    if (std::find(values.begin(), values.end(), now) != values.end()) continue;
+    reference[variation.key] = std::stoi(values.front());
+    along.instead += fmt::format(", {} = {}", variation.key, values.front());
   }
-  std::vector<const Json*> along;
   for (const Json& row : rows) {
     bool same = row["refused"].is_null();
     for (const auto& item : reference.items()) {
       const std::string column = item.key() == "width" || item.key() == "height" ? "largest_" + item.key() : item.key();
       same = same && (item.key() == key || row[column] == item.value());
     }
-    if (same) along.push_back(&row);
+    if (same) along.rows.push_back(&row);
   }
   return along;
+}
+
+std::string size_of(const SweepScene& scene) { return fmt::format("{}x{}", scene.width, scene.height); }
+
+bool one_size(const Sweep& sweep) {
+  return std::all_of(sweep.scenes.begin(), sweep.scenes.end(),
+                     [&](const SweepScene& scene) { return size_of(scene) == size_of(sweep.scenes[0]); });
 }
 
 struct Extent {
@@ -136,8 +149,10 @@ void draw_panel(const Sweep& sweep, PanelScript& script, const std::vector<const
     std::string points;
     for (const auto& [x, y] : curve) points += fmt::format("{} {}\n", x, y / unit);
     if (points.empty()) continue;
+    const SweepScene& scene = sweep.scenes[s];
+    const std::string label = short_name(scene.name) + (one_size(sweep) ? "" : ", " + size_of(scene));
     plot += fmt::format("{}{} with linespoints pt 7 ps 0.7 lc rgb '{}' title {}", plot.empty() ? "plot " : ", ",
-                        script.data(points), curve_colour(s), gnuplot_quoted(short_name(sweep.scenes[s].name)));
+                        script.data(points), curve_colour(s), gnuplot_quoted(label));
   }
   script.line("set title " + gnuplot_quoted(std::string(axis.title) + unit_name));
   script.line(scale_of(axis, extent) + (plot.empty() ? "set multiplot next" : plot));
@@ -160,7 +175,8 @@ std::string x_axis(const std::string& key, double first, double last, double bas
 std::optional<PanelScript> curves_plot(const Sweep& sweep, const std::vector<Json>& rows, const Variation& variation) {
   const std::string& key = variation.key;
   const auto found = std::find_if(panels().begin(), panels().end(), [&](const Panels& p) { return p.key == key; });
-  const std::vector<const Json*> along = rows_along(sweep, rows, key);
+  const Along drawn = rows_along(sweep, rows, key);
+  const std::vector<const Json*>& along = drawn.rows;
   std::vector<double> values;
   for (const Json* row : along) {
     if (const auto value = number(*row, key)) values.push_back(*value);
@@ -173,8 +189,8 @@ std::optional<PanelScript> curves_plot(const Sweep& sweep, const std::vector<Jso
     if (!column_name(sweep, axis.column).empty()) axes.push_back(axis);
   }
   const int count = int(axes.size()), columns = count == 4 ? 2 : std::min(count, 3);
-  const std::string title = fmt::format("{}; all else as in {}, frame {}x{}", found->title, sweep.input.choice.config,
-                                        sweep.scenes[0].width, sweep.scenes[0].height);
+  const std::string title = fmt::format("{}; all else as in {}{}{}", found->title, sweep.input.choice.config,
+                                        drawn.instead, one_size(sweep) ? ", frame " + size_of(sweep.scenes[0]) : "");
   PanelScript script(key + ".png", title, columns, (count + columns - 1) / columns, 400, 320);
   const Json base = to_json(base_numbers(sweep.input.choice));
   script.line(fmt::format("set xlabel {}", gnuplot_quoted(found->title)));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 
@@ -31,7 +32,7 @@ void draw_front(PanelScript& script, const std::vector<Json>& rows, const std::s
   double first = std::numeric_limits<double>::infinity(), last = 0;
   for (const Json& row : rows) {
     const auto x = number(row, cost), y = number(row, "psnr_db");
-    if (row["scene"] != scene || !x || !y) continue;
+    if (row["scene"] != scene || !x || !y || !row[flag].is_boolean()) continue;
     first = std::min(first, *x), last = std::max(last, *x);
     const std::string at = fmt::format("{} {}", *x, *y);
     (row[flag].get<bool>() ? front : other) += at + "\n";
@@ -59,7 +60,7 @@ void draw_front(PanelScript& script, const std::vector<Json>& rows, const std::s
     add(named[n], fmt::format("using 1:2:3 with labels {} tc rgb '#d95f02' notitle", kPlaces[n % 3]));
   }
   add(base, "with points pt 8 ps 1.7 lc rgb '#d95f02' title 'base'");
-  if (!plot.empty()) script.line(plot);
+  script.line(plot.empty() ? "set multiplot next" : plot);
 }
 
 }  // namespace
@@ -67,13 +68,28 @@ void draw_front(PanelScript& script, const std::vector<Json>& rows, const std::s
 std::optional<PanelScript> front_plot(const Sweep& sweep, const std::vector<Json>& rows) {
   if (sweep.configs.size() < 2) return std::nullopt;
   const std::string lut = lut_column(sweep);
-  const int count = int(sweep.scenes.size()), columns = lut.empty() ? std::min(count, 3) : 2;
-  PanelScript script("front.png", "accuracy and what it takes", columns,
-                     lut.empty() ? (count + columns - 1) / columns : count, lut.empty() && count > 1 ? 480 : 600, 420);
+  struct Cost {
+    std::string column, flag;
+    const char* title;
+  };
+  std::vector<Cost> costs;
+  if (lut.empty()) {
+    costs = {{"memory_bits", "pareto_memory", "bits of the memories of a frame"},
+             {"multiplier_bits", "pareto_multiplier", "bits that the multipliers add up"}};
+  } else {
+    costs = {{lut, "pareto_lut", "LUTs of the pipeline"}};
+  }
+  costs.push_back({"cycles", "pareto_cycles", "cycles a frame"});
+  const auto is_known = [&](const Cost& cost) {
+    return std::any_of(rows.begin(), rows.end(), [&](const Json& row) { return number(row, cost.column).has_value(); });
+  };
+  costs.erase(std::remove_if(costs.begin(), costs.end(), std::not_fn(is_known)), costs.end());
+  if (costs.empty()) return std::nullopt;
+  PanelScript script("front.png", "accuracy and what it takes", int(costs.size()), int(sweep.scenes.size()),
+                     costs.size() > 2 ? 480 : 600, 420);
   script.line("set offsets graph 0.1, graph 0.14, graph 0.06, graph 0.08");
   for (const SweepScene& scene : sweep.scenes) {
-    if (!lut.empty()) draw_front(script, rows, scene.name, lut, "pareto_lut", "LUTs of the pipeline");
-    draw_front(script, rows, scene.name, "cycles", "pareto_cycles", "cycles a frame");
+    for (const Cost& cost : costs) draw_front(script, rows, scene.name, cost.column, cost.flag, cost.title);
   }
   return script;
 }

@@ -15,7 +15,8 @@ namespace halfspace::cli {
 // number that has no panels, or one value.
 std::optional<PanelScript> curves_plot(const Sweep& sweep, const std::vector<Json>& rows, const Variation& variation);
 
-// front.png: accuracy against cycles and LUTs, the Pareto fronts. None of one configuration alone.
+// front.png: accuracy against LUTs, or else memory and multipliers, and against cycles; the Pareto fronts. None of one
+// configuration alone.
 std::optional<PanelScript> front_plot(const Sweep& sweep, const std::vector<Json>& rows);
 
 // map.png, where reciprocal bits and fraction bits were varied together.

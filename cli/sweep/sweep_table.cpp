@@ -6,6 +6,9 @@
 #include <filesystem>
 #include <map>
 
+#include "model/formats/stamps.hpp"
+#include "model/pipeline/memories.hpp"
+#include "model/pipeline/multipliers.hpp"
 #include "ref/error.hpp"
 #include "vectors/staging.hpp"
 
@@ -32,6 +35,15 @@ void add_area(const Sweep& sweep, const Json& area, Json& row) {
   row["buffer_bits"] = bits ? Json(bits) : Json(nullptr);
 }
 
+// What needs no synthesis: the memories of a frame, and the multipliers.
+void add_costs(const SweepConfig& config, Json& row) {
+  row["memory_bits"] = row["multiplier_bits"] = nullptr;
+  if (!config.refused.empty()) return;
+  const model::StampSize stamp = model::stamp_size(config.numbers.lanes);
+  row["memory_bits"] = model::memory_bits(config.numbers, stamp.x, stamp.y).total();
+  if (const auto bits = model::multiplier_bits(config.numbers)) row["multiplier_bits"] = *bits;
+}
+
 // Is `a` as good as `b` in PSNR and in every cost, and better in one?
 bool dominates(const Json& a, const Json& b, const std::vector<std::string>& costs) {
   bool better = a["psnr_db"].get<double>() > b["psnr_db"].get<double>();
@@ -43,12 +55,13 @@ bool dominates(const Json& a, const Json& b, const std::vector<std::string>& cos
   return better;
 }
 
-// pareto_cycles, pareto_lut, pareto: no other configuration on the same scene has a PSNR as high for as little, and
-// less in one; the last is of both costs together.
+// pareto_cycles, pareto_lut, pareto_memory, pareto_multiplier, pareto: no other configuration on the same scene has a
+// PSNR as high for as little, and less in one; the last is of cycles and LUTs together.
 void mark_fronts(const Sweep& sweep, std::vector<Json>& rows) {
   const std::string lut = lut_column(sweep);
   std::vector<std::pair<std::string, std::vector<std::string>>> fronts = {{"pareto_cycles", {"cycles"}}};
   if (!lut.empty()) fronts.insert(fronts.end(), {{"pareto_lut", {lut}}, {"pareto", {"cycles", lut}}});
+  for (const std::string cost : {"memory", "multiplier"}) fronts.push_back({"pareto_" + cost, {cost + "_bits"}});
   for (const auto& [name, costs] : fronts) {
     const auto counts = [&, &costs = costs](const Json& row) {
       bool all = row["refused"].is_null() && !row["psnr_db"].is_null();
@@ -113,6 +126,7 @@ std::vector<Json> sweep_rows(const Sweep& sweep) {
         row[item.key() == "width" || item.key() == "height" ? "largest_" + item.key() : item.key()] = item.value();
       }
       row.update(columns);
+      add_costs(config, row);
       if (config.refused.empty()) row.update(pictures[{s, c}]);
       add_area(sweep, config.refused.empty() && !sweep.targets.empty() ? areas[c] : Json::object(), row);
       rows.push_back(std::move(row));

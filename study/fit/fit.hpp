@@ -32,9 +32,13 @@ struct FitGoal {
 struct FitScene {
   std::string name;
   int width, height;
-  std::vector<double> times;  // seconds, of the frames
+  std::vector<double> times;  // seconds, of the frames; all of a view, then all of the next
   std::vector<Projection> frames;
   std::vector<std::shared_ptr<const ref::Scene>> scenes = {};  // of the frames; none of what is no scene
+  std::size_t views = 1;
+
+  std::size_t side(std::size_t frame) const { return frame / (frames.size() / views); }
+  bool begins_view(std::size_t frame) const { return frame % (frames.size() / views) == 0; }
 };
 
 // What the scene asks for, over all frames.

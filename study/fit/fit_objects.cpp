@@ -18,11 +18,11 @@ FitObjects choose_objects(Config& c, const FitScene& scene,
     return found;
   };
   if (!has_depth(c)) return because("no depth is compared");
-  if (scene.scenes.size() < 2) return because("one frame has no motion");
+  if (scene.scenes.size() < 2 * scene.views) return because("one frame has no motion");
   found.objects = scene.scenes.front()->instances.size();
   const double aspect = double(scene.width) / scene.height;
   FitScene moving = scene;
-  moving.frames.clear();
+  moving.frames.clear(), moving.views = 1;
   // Depths of two frames compare if they are of the same planes.
   std::vector<const ref::Scene*> times;
   for (const auto& time : scene.scenes) times.push_back(time.get());
@@ -35,6 +35,10 @@ FitObjects choose_objects(Config& c, const FitScene& scene,
   ref::Scene before = held(0);
   for (std::size_t k = 1; k < times.size(); ++k) {
     ref::Scene now = held(k);
+    if (scene.begins_view(k)) {
+      before = std::move(now);
+      continue;
+    }
     const std::vector<bool> stands = ref::same_instances(before, now, aspect);
     const std::size_t standing = std::size_t(std::count(stands.begin(), stands.end(), true));
     found.standing = k == 1 ? standing : std::min(found.standing, standing);

@@ -77,8 +77,8 @@ Requirements requirements(const FitScene& scene) {
   r.x_low = r.y_low = std::numeric_limits<double>::max();
   r.x_high = r.y_high = std::numeric_limits<double>::lowest();
   ref::TriangleList before;
-  for (const Projection& project : scene.frames) {
-    ref::TriangleList list = project(ref::ideal_view(scene.width, scene.height));
+  for (std::size_t frame = 0; frame < scene.frames.size(); ++frame) {
+    ref::TriangleList list = scene.frames[frame](ref::ideal_view(scene.width, scene.height));
     r.triangles = std::max(r.triangles, list.triangles.size());
     Layers layers(scene.width, scene.height);
     for (const Triangle& t : list.triangles) {
@@ -96,7 +96,7 @@ Requirements requirements(const FitScene& scene) {
     }
     layers.tell(r);
     // Faces that both frames show whole.
-    if (before.face == list.face) {
+    if (before.face == list.face && !scene.begins_view(frame)) {
       for (std::size_t k = 0; k < std::min(before.triangles.size(), list.triangles.size()); ++k) {
         for (int v = 0; v < 3; ++v) {
           r.motion = std::max(r.motion, std::hypot(list.triangles[k][v].x - before.triangles[k][v].x,

@@ -22,6 +22,7 @@ def run(*command):
     if result.returncode:
         raise SystemExit(f"{' '.join(map(str, command))}\nfailed with {result.returncode}: "
                          f"{result.stdout}{result.stderr}")
+    SAID.append(result.stderr)
     return result.stdout
 
 
@@ -65,7 +66,7 @@ def check_architecture(stem, found):
     TAKEN.add(taken)
 
 
-TAKEN = set()
+TAKEN, SAID = set(), []
 
 
 def main():
@@ -129,6 +130,21 @@ def main():
             assert 2 ** bits > told["objects"] >= 2 ** (bits - 1) and 0 < told["moving"] < told["objects"], told
             assert numbers["architecture"] == "delta" and told["cycles_moving"] < told["cycles_all"], told
 
+    # From several sides, the worst counts.
+    report, config = folder / "sides.json", folder / "sides.toml"
+    sides = {}
+    for views in (1, 3):
+        run(halfspace, "fit", "ring", "--size", "96x72", "--psnr", 40, "--views", views, "--area", "none", "--no-cosim",
+            "-o", config, "--json", report, "--work", folder / "x")
+        sides[views] = json.loads(report.read_text())
+        assert (sides[views]["views"], sides[views]["frames"]) == (views, views), sides[views]
+        assert second_look(halfspace, "ring", "96x72", [0], config, folder) >= 40 - 0.3
+    for key in ("overlapping_pixels", "triangles"):
+        assert sides[3]["requires"][key] > sides[1]["requires"][key], key
+    assert sides[3]["requires"]["motion_pixels_a_frame"] == 0
+    bits = [sides[views]["configuration"]["depth_bits"] for views in (1, 3)]
+    assert bits[0] < bits[1], f"depth_bits {bits} from one side and from three"
+
     out = subprocess.run([halfspace, "fit", "teapot", "--size", "160x120", "--psnr", "99", "--work", str(folder / "x")],
                          capture_output=True, text=True)
     assert out.returncode == 1 and "no configuration reaches" in out.stderr, out.stderr
@@ -138,6 +154,7 @@ def main():
         report, "--work", folder / "x")
     check_architecture("small", json.loads(report.read_text()))
     assert TAKEN == {"gamma", "delta"}, TAKEN
+    assert any(": building the bench: " in said for said in SAID), "a bench is built without a word"
     print("fit: six scenes hold")
 
 

@@ -9,6 +9,7 @@ import json
 import math
 import os
 import pathlib
+import re
 import shutil
 import struct
 import subprocess
@@ -21,6 +22,11 @@ SIZE = ["--size", "64x48"]
 SUBPIXEL, FRACTION = (1, 3, 4), (8, 12, 13)  # 8 is refused in low
 SWEEP = ["cube", "castle", "--config", "low", *SIZE, "--vary", "subpixel_bits=1,3,4", "--vary",
          "depth_fraction=8,12..13"]
+# Keeps the script, and draws what ends as a PNG does.
+FAKE_GNUPLOT = """#!/bin/sh
+cat > "$SCRIPTS/$$"
+printf 'PNG: IEND----'
+"""
 # In the place of python3: an area tool whose numbers follow from the package and the lanes, so that a test knows them.
 FAKE_AREA = """#!/bin/sh
 while [ $# -gt 0 ]; do
@@ -217,6 +223,35 @@ class Sweep(unittest.TestCase):
             self.assertEqual(path.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
             self.assertGreater(path.stat().st_size, 8000, path)
         self.assertTrue((self.root / "map" / "map.png").exists())
+
+    def test_plots_say_what_they_were_drawn_at(self):
+        tools, scripts = self.root / "plots", self.root / "scripts"
+        tools.mkdir(), scripts.mkdir()
+        (tools / "gnuplot").write_text(FAKE_GNUPLOT)
+        (tools / "gnuplot").chmod(0o755)
+        environment = {"PATH": f"{tools}:/usr/bin:/bin", "SCRIPTS": str(scripts)}
+        good("sweep", "cube", "castle", "--config", "low", *SIZE, "--no-named", "--vary", "subpixel_bits=2,3", "--vary",
+             "depth_bits=15..16", "--out", self.root / "drawn", env=environment)
+        titles = sorted(re.search(r"set multiplot .* title '(.*?)'", path.read_text()).group(1)
+                        for path in scripts.iterdir())
+        size = "frame " + SIZE[1]
+        self.assertEqual(titles, ["accuracy and what it takes",
+                                  f"depth bits; all else as in low, subpixel_bits = 2, {size}",
+                                  f"sub-pixel bits f; all else as in low, {size}"])
+        front = next(text for text in (path.read_text() for path in scripts.iterdir()) if "what it takes" in text)
+        for cost in ("memories", "multipliers", "cycles"):
+            self.assertEqual(len(re.findall(rf"set title 'c\w+: .*{cost}.*'", front)), 2, cost)
+        rows = table(self.root / "drawn")
+        for row in rows:
+            f, b, g, h = (int(row[key]) for key in ("subpixel_bits", "depth_bits", "depth_fraction", "colour_fraction"))
+            c, colour = int(row["range_bits"]) + f, int(row["colour_bits"])
+            wide = [max(bits + c + 1, bits + fraction + f) for bits, fraction in ((b, g), (colour, h))]
+            sides = sum((int(row[key]) - 1).bit_length() + 1 for key in ("largest_width", "largest_height"))
+            self.assertEqual(int(row["multiplier_bits"]), (c + 1) ** 2 + 18 * sum(wide) + 3 * (colour + h) * sides)
+        memory = {row["depth_bits"]: int(row["memory_bits"]) for row in rows}
+        self.assertEqual(memory["16"] - memory["15"], 320 * 200)
+        for flag, cost in (("pareto_memory", "memory_bits"), ("pareto_multiplier", "multiplier_bits")):
+            self.assertEqual({(r["scene"], r["config"]) for r in rows if r[flag] == "true"}, pareto(rows, [cost]), flag)
 
     def test_goes_on_where_it_was_cut_off(self):
         out, sweep = self.root / "cut", ["cube", *SIZE, "--config", "low", "--vary", "lanes=1,4,16", "--no-named"]

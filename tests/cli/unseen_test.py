@@ -142,7 +142,8 @@ class Unseen(unittest.TestCase):
                                       text=True, timeout=60, check=False)
                 self.assertGreater(done.returncode, 0, (command, time))
                 self.assertRegex(done.stderr, r"^halfspace: --time: .*\n$")
-        self.assertEqual(self.good("frames", "faces.gltf", "--size", "16x16", "--frames", "3", "-o", "f%d.png").stderr, "")
+        film = self.good("frames", "faces.gltf", "--size", "16x16", "--frames", "3", "-o", "f%d.png")
+        self.assertEqual(film.stderr, "")
         self.good("render", "cube_fast", "--config", motion, "--time", "0", "--interval", "0:inf", status=1)
 
 
