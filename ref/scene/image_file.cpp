@@ -5,7 +5,10 @@
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <fstream>
 #include <memory>
+#include <string_view>
 
 #include "ref/error.hpp"
 #include "ref/scene/input_file.hpp"
@@ -13,12 +16,58 @@
 namespace halfspace::ref {
 namespace {
 
-Image from_input(const std::string& name, std::unique_ptr<OIIO::ImageInput> input) {
-  if (!input) {
-    throw Error(fmt::format("{}: the texture cannot be read ({}); check the file, or export the scene again", name,
-                            one_line(OIIO::geterror())));
+struct Start {
+  std::string_view bytes;
+  const char* format;  // as OpenImageIO calls it
+};
+using namespace std::string_view_literals;
+constexpr Start kStarts[] = {
+    {"\x89PNG"sv, "png"}, {"\xFF\xD8\xFF"sv, "jpeg"},
+    {"BM"sv, "bmp"},      {"GIF8"sv, "gif"},
+    {"II*\0"sv, "tiff"},  {"MM\0*"sv, "tiff"},
+    {"P1"sv, "pnm"},      {"P2"sv, "pnm"},
+    {"P3"sv, "pnm"},      {"P4"sv, "pnm"},
+    {"P5"sv, "pnm"},      {"P6"sv, "pnm"},
+};
+constexpr std::size_t kStartSize = 18;
+
+// TGA has no word of its own at its start: kinds of colour table and of picture, and bits.
+bool is_tga(std::string_view start) {
+  if (start.size() < kStartSize) return false;
+  const int table = start[1], kind = start[2] & ~8, bits = start[16];
+  return (table == 0 || table == 1) && kind >= 1 && kind <= 3 &&
+         (bits == 8 || bits == 15 || bits == 16 || bits == 24 || bits == 32);
+}
+
+// By what is in it: its name may say another format.
+const char* format_of(const std::string& name, std::string_view start) {
+  for (const Start& known : kStarts) {
+    if (start.substr(0, known.bytes.size()) == known.bytes) return known.format;
   }
-  const OIIO::ImageSpec spec = input->spec();
+  if (is_tga(start)) return "targa";
+  throw Error(fmt::format(
+      "{}: a texture of this format is not taken; convert it to PNG, JPEG, BMP, GIF, TGA, TIFF or PPM", name));
+}
+
+// Colours as they stand in the file: OpenImageIO multiplies them by alpha unless it is told.
+OIIO::ImageSpec as_they_stand() {
+  OIIO::ImageSpec spec;
+  spec["oiio:UnassociatedAlpha"] = 1;
+  return spec;
+}
+
+[[noreturn]] void fail(const std::string& name, const std::string& reason) {
+  throw Error(fmt::format("{}: the texture cannot be read ({}); check the file, or export the scene again", name,
+                          one_line(reason)));
+}
+
+// By the reader of that format and no other. `bytes`: null, or what the file has in it.
+Image from_format(const std::string& name, const char* format, OIIO::Filesystem::IOProxy* bytes) {
+  const auto input = OIIO::ImageInput::create(format);
+  if (!input) fail(name, OIIO::geterror());
+  if (bytes && !input->set_ioproxy(bytes)) fail(name, fmt::format("{} inside of a file is not taken", format));
+  OIIO::ImageSpec spec;
+  if (!input->open(name, spec, as_they_stand())) fail(name, input->geterror());
   if (spec.width < 1 || spec.height < 1 || spec.width > kLongestRead || spec.height > kLongestRead ||
       spec.nchannels < 1) {
     throw Error(fmt::format("{}: a texture of {}x{} texels is not taken; scale it to 1x1 to {}x{}", name, spec.width,
@@ -27,20 +76,25 @@ Image from_input(const std::string& name, std::unique_ptr<OIIO::ImageInput> inpu
   Image image{spec.width, spec.height, spec.nchannels, {}};
   image.bytes.resize(std::size_t(spec.width) * spec.height * spec.nchannels);
   if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, image.bytes.data())) {
-    throw Error(fmt::format("{}: the texture cannot be read ({}); check the file", name, one_line(input->geterror())));
+    fail(name, input->geterror());
   }
   return image;
 }
 
 }  // namespace
 
-Image read_image(const std::string& path) { return from_input(path, OIIO::ImageInput::open(path)); }
+Image read_image(const std::string& path) {
+  char start[kStartSize];
+  std::ifstream file(path, std::ios::binary);
+  file.read(start, kStartSize);
+  return from_format(path, format_of(path, {start, std::size_t(file.gcount())}), nullptr);
+}
 
 Image read_image(const std::string& name, const std::vector<std::uint8_t>& bytes) {
-  // The ending chooses the reader: the two formats that scene files embed.
-  const bool is_png = bytes.size() > 3 && bytes[1] == 'P' && bytes[2] == 'N' && bytes[3] == 'G';
+  const auto* const start = reinterpret_cast<const char*>(bytes.data());
+  const char* const format = format_of(name, {start, std::min(bytes.size(), kStartSize)});
   OIIO::Filesystem::IOMemReader reader(const_cast<std::uint8_t*>(bytes.data()), bytes.size());
-  return from_input(name, OIIO::ImageInput::open(is_png ? "embedded.png" : "embedded.jpg", nullptr, &reader));
+  return from_format(name, format, &reader);
 }
 
 std::string encoded_image(const std::string& name, const Image& image) {

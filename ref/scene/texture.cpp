@@ -36,6 +36,16 @@ Texture read_texture(const std::string& name, const std::vector<std::uint8_t>& b
   return from_image(name, read_image(name, bytes), flip);
 }
 
+MeanColour mean_colour(const Texture& texture) {
+  MeanColour mean;
+  for (const auto& texel : texture.texels) {
+    mean.colour += glm::dvec3(texel[0], texel[1], texel[2]);
+    mean.is_uniform = mean.is_uniform && texel == texture.texels.front();
+  }
+  mean.colour /= 255.0 * double(texture.texels.size());
+  return mean;
+}
+
 Texture resampled(const Texture& texture, int width, int height) {
   Texture out{texture.name, width, height, {}};
   out.texels.reserve(std::size_t(width) * height);

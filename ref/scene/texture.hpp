@@ -25,6 +25,12 @@ struct Texture {
 Texture read_texture(const std::string& path, bool flip);
 Texture read_texture(const std::string& name, const std::vector<std::uint8_t>& bytes, bool flip);
 
+struct MeanColour {
+  glm::dvec3 colour{0};  // 0-1
+  bool is_uniform = true;
+};
+MeanColour mean_colour(const Texture&);
+
 // To other sides: a texel is the mean of what it covers.
 Texture resampled(const Texture& texture, int width, int height);
 

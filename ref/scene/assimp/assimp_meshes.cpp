@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
 #include "ref/error.hpp"
 #include "ref/scene/assimp/assimp_parts.hpp"
 #include "ref/scene/input_file.hpp"
@@ -10,31 +15,57 @@ namespace halfspace::ref {
 namespace {
 
 constexpr double kCreaseDegrees = 60;  // edges sharper than this stay edges when normals are made
+constexpr double kEdge = 1e-4;         // of a texture: coordinates that leave it by less do not leave it
 
-Mesh mesh_of(const aiMesh& source, const std::string& path) {
-  Mesh mesh;
-  mesh.name = one_line(source.mName.C_Str());
-  mesh.material = static_cast<int>(source.mMaterialIndex);
+// An importer says "no colour" by zeros, or by a number below 0.
+bool is_none(const aiColor4D& c) {
+  return (c.r == 0 && c.g == 0 && c.b == 0 && c.a == 0) || c.r < 0 || c.g < 0 || c.b < 0 || c.a < 0;
+}
+
+// None where no vertex has one; else white for those without.
+std::vector<glm::dvec3> colours_of(const aiMesh& source, bool* has_alpha) {
+  std::vector<glm::dvec3> colours;
+  const aiColor4D* const from = source.mColors[0];
+  if (!from || std::all_of(from, from + source.mNumVertices, is_none)) return colours;
+  colours.reserve(source.mNumVertices);
   for (unsigned i = 0; i < source.mNumVertices; ++i) {
-    mesh.positions.push_back(to_glm(source.mVertices[i]));
-    if (source.mNormals) mesh.normals.push_back(to_glm(source.mNormals[i]));
-    if (source.mTextureCoords[0])
-      mesh.texture_coordinates.emplace_back(source.mTextureCoords[0][i].x, source.mTextureCoords[0][i].y);
-    if (!source.mColors[0]) continue;
-    const aiColor4D& c = source.mColors[0][i];
-    mesh.colours.emplace_back(c.r, c.g, c.b);
+    const bool none = is_none(from[i]);
+    *has_alpha = *has_alpha || (!none && from[i].a < 1);
+    colours.push_back(none ? glm::dvec3(1) : glm::clamp(glm::dvec3(from[i].r, from[i].g, from[i].b), 0.0, 1.0));
   }
+  return colours;
+}
+
+// Of a textured mesh, where its texture lies.
+std::vector<glm::dvec2> coordinates_of(const aiMesh& source, const TexturePlace& place, bool* leaves) {
+  std::vector<glm::dvec2> coordinates;
+  const aiVector3D* from =
+      place.coordinates < AI_MAX_NUMBER_OF_TEXTURECOORDS ? source.mTextureCoords[place.coordinates] : nullptr;
+  if (!from) from = source.mTextureCoords[0];
+  if (!from) return coordinates;
+  coordinates.reserve(source.mNumVertices);
+  for (unsigned i = 0; i < source.mNumVertices; ++i) {
+    const glm::dvec2 uv = place.placed * glm::dvec3(from[i].x, from[i].y, 1);
+    *leaves = *leaves || glm::clamp(uv, -kEdge, 1 + kEdge) != uv;
+    coordinates.push_back(uv);
+  }
+  return coordinates;
+}
+
+std::vector<std::array<std::uint32_t, 3>> triangles_of(const aiMesh& source, const std::string& path) {
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  triangles.reserve(source.mNumFaces);
   for (unsigned i = 0; i < source.mNumFaces; ++i) {
     const aiFace& face = source.mFaces[i];
-    if (face.mNumIndices != 3) continue;  // points and lines
+    if (face.mNumIndices != 3) continue;
     for (int v = 0; v < 3; ++v) {
       if (face.mIndices[v] < source.mNumVertices) continue;
       throw Error(fmt::format("{}: mesh '{}', face {}: index {} is beyond its {} vertices; export the file again", path,
-                              mesh.name, i, face.mIndices[v], source.mNumVertices));
+                              one_line(source.mName.C_Str()), i, face.mIndices[v], source.mNumVertices));
     }
-    mesh.triangles.push_back({face.mIndices[0], face.mIndices[1], face.mIndices[2]});
+    triangles.push_back({face.mIndices[0], face.mIndices[1], face.mIndices[2]});
   }
-  return mesh;
+  return triangles;
 }
 
 // Of a relative target what is added, of another where it ends.
@@ -70,11 +101,38 @@ void add_skin(const aiMesh& source, const NodeNumbers& numbers, DocumentMesh* me
 
 }  // namespace
 
-void add_meshes(const aiScene& file, const NodeNumbers& numbers, Document* document) {
+double coarseness(const aiMesh& mesh) {
+  if (mesh.mNumVertices < 2) return 0;
+  glm::dvec3 low = to_glm(mesh.mVertices[0]), high = low;
+  for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
+    const glm::dvec3 p = to_glm(mesh.mVertices[i]);
+    low = glm::min(low, p), high = glm::max(high, p);
+  }
+  const glm::dvec3 farthest = glm::max(glm::abs(low), glm::abs(high)), extent = high - low;
+  const double far = std::max({farthest.x, farthest.y, farthest.z});
+  const double step = std::ldexp(1.0, std::ilogb(far) - (std::numeric_limits<float>::digits - 1));
+  return std::isfinite(far) && far > 0 ? step / std::max({extent.x, extent.y, extent.z}) : 0;
+}
+
+void add_meshes(const aiScene& file, const NodeNumbers& numbers, const std::vector<TexturePlace>& places,
+                const ReadChoice& choice, Document* document) {
+  bool has_alpha = false, leaves = false;
+  std::size_t coarse = 0;
   for (unsigned i = 0; i < file.mNumMeshes; ++i) {
     const aiMesh& source = *file.mMeshes[i];
+    const TexturePlace place = source.mMaterialIndex < places.size() ? places[source.mMaterialIndex] : TexturePlace();
     DocumentMesh mesh;
-    mesh.mesh = mesh_of(source, document->name);
+    mesh.mesh.name = one_line(source.mName.C_Str());
+    mesh.mesh.material = int(source.mMaterialIndex);
+    for (unsigned v = 0; v < source.mNumVertices; ++v) mesh.mesh.positions.push_back(to_glm(source.mVertices[v]));
+    for (unsigned v = 0; v < source.mNumVertices && source.mNormals; ++v)
+      mesh.mesh.normals.push_back(to_glm(source.mNormals[v]));
+    mesh.mesh.colours = colours_of(source, &has_alpha);
+    bool leaves_here = false;
+    mesh.mesh.texture_coordinates = coordinates_of(source, place, &leaves_here);
+    leaves = leaves || (leaves_here && !place.repeats);
+    mesh.mesh.triangles = triangles_of(source, document->name);
+    coarse += coarseness(source) > kCoarse;
     if (source.mNumBones != 0) add_skin(source, numbers, &mesh, document);
     if (mesh.mesh.normals.empty()) {
       add_targets(source, &mesh);
@@ -85,6 +143,16 @@ void add_meshes(const aiScene& file, const NodeNumbers& numbers, Document* docum
       add_targets(source, &mesh);
     }
     document->meshes.push_back(std::move(mesh));
+  }
+  auto& remarks = document->remarks;
+  if (has_alpha) remarks.emplace_back("vertices that alpha lets shine through are drawn opaque");
+  if (leaves && choice.textured)
+    remarks.emplace_back("textures that clamp or mirror at their edges are drawn as repeated");
+  if (coarse != 0) {
+    remarks.push_back(
+        fmt::format("{} mesh{} so far from the origin that its reader (float32) rounds coordinates by more "
+                    "than 1/{:.0f} of the size; move it to the origin",
+                    coarse, coarse == 1 ? " lies" : "es lie", 1 / kCoarse));
   }
 }
 

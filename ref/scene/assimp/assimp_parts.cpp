@@ -9,45 +9,13 @@
 namespace halfspace::ref {
 namespace {
 
+constexpr char kNamelessNode[] = "$ColladaAutoName$_";  // with a number: Assimp's name of a node that has none
+
 bool is_black(const glm::dvec3& c) { return c.r <= 0 && c.g <= 0 && c.b <= 0; }
-
-glm::dvec3 sane_colour(const glm::dvec3& c) {
-  for (int i = 0; i < 3; ++i) {
-    if (!std::isfinite(c[i])) return glm::dvec3(0);
-  }
-  return glm::max(c, glm::dvec3(0));
-}
-
-glm::dvec3 colour_of(const aiMaterial& source, const char* key, unsigned type, unsigned index,
-                     const glm::dvec3& absent) {
-  aiColor3D colour;
-  if (source.Get(key, type, index, colour) != AI_SUCCESS) return absent;
-  return sane_colour(to_glm(colour));
-}
 
 // Half of the size of the view at distance 1; 0 for an angle that is none. Assimp's Collada importer turns
 // the angle of a camera that has none, 45 degrees, into radians twice: 0.0137.
 double half_size(double angle) { return angle > 0.0138 && angle < 3.1 ? std::tan(angle / 2) : 0; }
-
-Material material_of(const aiMaterial& source) {
-  Material material;
-  material.diffuse = colour_of(source, AI_MATKEY_COLOR_DIFFUSE, glm::dvec3(0.8));
-  // Most exporters write black for "not set", which would leave the shadow side without form.
-  material.ambient = colour_of(source, AI_MATKEY_COLOR_AMBIENT, glm::dvec3(0));
-  if (is_black(material.ambient)) material.ambient = material.diffuse;
-  material.specular = colour_of(source, AI_MATKEY_COLOR_SPECULAR, glm::dvec3(0));
-  material.emission = colour_of(source, AI_MATKEY_COLOR_EMISSIVE, glm::dvec3(0));
-  float number = 1;
-  if (source.Get(AI_MATKEY_SHININESS_STRENGTH, number) == AI_SUCCESS && number >= 0) material.specular *= number;
-  number = 0;
-  source.Get(AI_MATKEY_SHININESS, number);
-  material.shininess = number;
-  if (!(number > 0)) material.specular = glm::dvec3(0);  // x^0 would shine everywhere
-  int two_sided = 0;
-  source.Get(AI_MATKEY_TWOSIDED, two_sided);
-  material.two_sided = two_sided != 0;
-  return material;
-}
 
 Camera camera_of(const aiCamera& source) {
   Camera camera;
@@ -77,17 +45,26 @@ int number_of(const aiString& name, const NodeNumbers& numbers) {
 
 }  // namespace
 
-void add_materials(const aiScene& file, Document* document) {
-  for (unsigned i = 0; i < file.mNumMaterials; ++i) document->materials.push_back(material_of(*file.mMaterials[i]));
-}
-
-void add_cameras(const aiScene& file, const NodeNumbers& numbers, Document* document) {
+void add_cameras(const aiScene& file, const NodeNumbers& numbers, const Collada& collada, Document* document) {
   const std::string extension = extension_of(document->name);
   const bool is_doubtful = extension == "3ds" || extension == "ase";  // their importers turn cameras the wrong way
+  const double unit = glm::length(glm::dvec3(to_glm(file.mRootNode->mTransformation)[0]));  // of the file, in metres
+  std::map<std::string, std::size_t> taken;
   for (unsigned i = 0; i < file.mNumCameras; ++i) {
-    const aiCamera& camera = *file.mCameras[i];
+    const aiCamera& source = *file.mCameras[i];
+    Camera camera = camera_of(source);
+    std::string node = source.mName.C_Str();
+    if (node.rfind(kNamelessNode, 0) == 0) node.clear();
+    const auto of_node = collada.cameras.find(node);
+    if (of_node != collada.cameras.end()) {
+      const Camera& said = of_node->second[taken[node]++ % of_node->second.size()];
+      camera.orthographic = said.orthographic;
+      const double scale = said.orthographic ? unit : 1;
+      camera.half_width = scale * said.half_width, camera.half_height = scale * said.half_height;
+      camera.near = said.near, camera.far = said.far;
+    }
     document->cameras.push_back(
-        {one_line(camera.mName.C_Str()), number_of(camera.mName, numbers), camera_of(camera), is_doubtful});
+        {one_line(source.mName.C_Str()), number_of(source.mName, numbers), camera, is_doubtful});
   }
 }
 

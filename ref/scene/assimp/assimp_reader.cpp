@@ -8,17 +8,24 @@
 #include <assimp/DefaultLogger.hpp>
 #include <assimp/Importer.hpp>
 #include <cstring>
+#include <glm/gtc/matrix_transform.hpp>
+#include <memory>
 #include <new>
+#include <utility>
 
 #include "ref/error.hpp"
+#include "ref/scene/assimp/assimp_materials.hpp"
 #include "ref/scene/assimp/assimp_parts.hpp"
+#include "ref/scene/assimp/file_system.hpp"
+#include "ref/scene/assimp/mended_meshes.hpp"
 #include "ref/scene/assimp/promised_elements.hpp"
+#include "ref/scene/assimp/shifted_obj.hpp"
 #include "ref/scene/input_file.hpp"
 
 namespace halfspace::ref {
 namespace {
 
-constexpr unsigned kSteps = aiProcess_ValidateDataStructure | aiProcess_Triangulate | aiProcess_SortByPType;
+constexpr unsigned kSteps = aiProcess_ValidateDataStructure | aiProcess_Triangulate;
 
 // Assimp drops faces whose indices are out of range, and tells only its log.
 class DroppedFaces : public Assimp::LogStream {
@@ -32,42 +39,95 @@ class DroppedFaces : public Assimp::LogStream {
   bool* found_;
 };
 
-const aiScene* import(Assimp::Importer& importer, const std::string& path) {
-  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+// The importer, and what it has read.
+struct Import {
+  Assimp::Importer importer;
+  FileSystem* files = new FileSystem;  // the importer deletes it
+  LeftOut left_out;
+
+  Import() {
+    importer.SetIOHandler(files);
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
+  }
+  const aiScene& scene() const { return *importer.GetScene(); }
+  void read(const std::string& path);
+};
+
+void Import::read(const std::string& path) {
   bool dropped = false;
   Assimp::DefaultLogger::create("", Assimp::Logger::NORMAL, 0);
   Assimp::DefaultLogger::get()->attachStream(new DroppedFaces(&dropped),
                                              Assimp::Logger::Warn);  // Assimp deletes it
-  const aiScene* file = importer.ReadFile(path, kSteps);
+  const bool is_read = importer.ReadFile(path, 0) != nullptr;
+  if (is_read) left_out = mend_meshes(const_cast<aiScene*>(importer.GetScene()));
+  const bool has_meshes = is_read && scene().mNumMeshes != 0;
+  const bool is_good = has_meshes && importer.ApplyPostProcessing(kSteps) != nullptr;
   Assimp::DefaultLogger::kill();
-  if (!file) {
+  if (is_read && !has_meshes) {
+    throw Error(fmt::format("{}: there are no triangles in it; export a mesh of faces", path));
+  }
+  if (!is_good) {
     const std::string reason = one_line(importer.GetErrorString());
     if (reason == "std::bad_alloc") throw std::bad_alloc();
     throw Error(fmt::format("{}: cannot be read as a mesh ({}); check the file, or export it again", path,
                             reason.empty() ? "Assimp gives no reason" : reason));
   }
   if (dropped) throw Error(fmt::format("{}: faces have indices out of range; export the file again", path));
-  if (!file->mRootNode || file->mNumMeshes == 0) {
+  if (!scene().mRootNode) {
     throw Error(fmt::format("{}: there are no triangles in it; export a mesh of faces", path));
   }
-  return file;
+}
+
+// An OBJ file whose coordinates are rounded too coarsely is read again, shifted; by how much.
+glm::dvec3 read_nearer(const std::string& path, std::unique_ptr<Import>* import) {
+  const aiScene& file = (*import)->scene();
+  bool coarse = false;
+  for (unsigned i = 0; i < file.mNumMeshes; ++i) coarse = coarse || coarseness(*file.mMeshes[i]) > kCoarse;
+  if (!coarse || extension_of(path) != "obj") return glm::dvec3(0);
+  ShiftedObj shifted = shifted_obj(text_of(path));
+  auto again = std::make_unique<Import>();
+  again->files->replace(path, std::move(shifted.text));
+  again->read(path);
+  *import = std::move(again);
+  return shifted.origin;
+}
+
+// Of an OBJ file: its material libraries, as Assimp has found them.
+std::map<std::string, MtlMaps> mtl_of(const Import& import, Document* document) {
+  std::map<std::string, MtlMaps> materials;
+  if (extension_of(document->name) != "obj") return materials;
+  bool found = false;
+  for (const std::string& path : import.files->opened()) {
+    if (path == document->name) continue;
+    read_mtl(path, &materials);
+    found = true;
+  }
+  if (!found && !import.files->missing().empty()) {
+    document->remarks.push_back(fmt::format("its material library '{}' is not there, and it is drawn grey",
+                                            one_line(import.files->missing().front())));
+  }
+  return materials;
 }
 
 }  // namespace
 
 Document read_by_assimp(const std::string& path, const ReadChoice& choice) {
   check_promised_elements(path);
-  Assimp::Importer importer;
-  const aiScene& file = *import(importer, path);
+  const Collada collada = read_collada(path);
+  auto import = std::make_unique<Import>();
+  import->read(path);
   Document document;
   document.name = path;
+  const glm::dvec3 origin = read_nearer(path, &import);
+  const aiScene& file = import->scene();
+  document.remarks = import->left_out.remarks();
   const NodeNumbers numbers = add_nodes(file, &document);
-  add_meshes(file, numbers, &document);
+  document.nodes[0].matrix = glm::translate(glm::dmat4(1), origin) * document.nodes[0].matrix;
+  const auto places = add_materials(file, mtl_of(*import, &document), choice, &document);
+  add_meshes(file, numbers, places, choice, &document);
   add_animations(file, numbers, &document);
-  add_cameras(file, numbers, &document);
+  add_cameras(file, numbers, collada, &document);
   add_lights(file, numbers, &document);
-  add_materials(file, &document);
-  if (choice.textured) add_textures(file, &document);
   return document;
 }
 

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <assimp/material.h>
-#include <assimp/scene.h>
+#include "ref/scene/assimp/assimp_textures.hpp"
+
 #include <assimp/texture.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 
 #include "ref/error.hpp"
-#include "ref/scene/assimp/assimp_parts.hpp"
+#include "ref/scene/input_file.hpp"
 
 namespace halfspace::ref {
 namespace {
@@ -31,43 +30,52 @@ Texture raw_texture(const aiTexture& source, const std::string& name) {
 }
 
 Texture embedded_texture(const aiTexture& source, const std::string& name) {
+  if (source.mWidth == 0 || !source.pcData) {
+    throw Error(fmt::format("{}: the texture has no bytes; export the scene again", name));
+  }
   if (source.mHeight != 0) return raw_texture(source, name);
   const auto* const bytes = reinterpret_cast<const std::uint8_t*>(source.pcData);
   return read_texture(name, std::vector<std::uint8_t>(bytes, bytes + source.mWidth), kTopRowIsAtOne);
 }
 
-// Exporters write paths of their own machines: what counts then is the name of the file.
-std::string find_file(const std::string& scene, std::string named) {
-  std::replace(named.begin(), named.end(), '\\', '/');
-  const fs::path folder = fs::path(scene).parent_path(), path(named);
-  for (const fs::path& candidate : {folder / path, folder / path.filename()}) {
-    std::error_code error;
-    if (fs::is_regular_file(candidate, error)) return candidate.string();
+// Exporters write paths of their own machines: what counts then is the name of the file. Some leave spaces behind it.
+std::string find_file(const std::string& scene, const std::string& as_it_stands) {
+  std::string slashed = as_it_stands, trimmed;
+  std::replace(slashed.begin(), slashed.end(), '\\', '/');
+  trimmed = slashed.substr(0, slashed.find_last_not_of(" \t\r\n") + 1);
+  const fs::path folder = fs::path(scene).parent_path();
+  for (const fs::path path : {slashed, trimmed}) {
+    for (const fs::path& candidate : {folder / path, folder / path.filename()}) {
+      std::error_code error;
+      if (!path.empty() && fs::is_regular_file(candidate, error)) return candidate.string();
+    }
   }
-  throw Error(
-      fmt::format("{}: its texture '{}' is not there; put it beside the file, or leave textures out", scene, named));
+  throw Error(fmt::format("{}: its texture '{}' is not there; put it beside the file, or leave textures out", scene,
+                          one_line(trimmed)));
 }
 
 }  // namespace
 
-void add_textures(const aiScene& file, Document* document) {
-  const std::string& path = document->name;
-  std::map<std::string, int> numbers;
-  for (unsigned i = 0; i < file.mNumMaterials; ++i) {
-    aiString name;
-    const aiMaterial& material = *file.mMaterials[i];
-    if (material.GetTexture(aiTextureType_BASE_COLOR, 0, &name) != AI_SUCCESS &&
-        material.GetTexture(aiTextureType_DIFFUSE, 0, &name) != AI_SUCCESS) {
-      continue;
-    }
-    const auto [at, is_new] = numbers.try_emplace(name.C_Str(), int(document->textures.size()));
-    if (is_new) {
-      const aiTexture* const embedded = file.GetEmbeddedTexture(name.C_Str());
-      document->textures.push_back(embedded ? embedded_texture(*embedded, path + ": texture " + name.C_Str())
-                                            : read_texture(find_file(path, name.C_Str()), kTopRowIsAtOne));
-    }
-    document->materials[i].texture = at->second;
+Texture AssimpTextures::read(const std::string& name) const {
+  const std::string& path = document_.name;
+  const aiTexture* const embedded = file_.GetEmbeddedTexture(name.c_str());
+  return embedded ? embedded_texture(*embedded, path + ": texture " + one_line(name))
+                  : read_texture(find_file(path, name), kTopRowIsAtOne);
+}
+
+int AssimpTextures::in_document(const std::string& name) {
+  const auto [at, is_new] = numbers_.try_emplace(name, int(document_.textures.size()));
+  if (is_new) document_.textures.push_back(read(name));
+  return at->second;
+}
+
+MeanColour AssimpTextures::mean(const std::string& name) {
+  const auto [at, is_new] = means_.try_emplace(name);
+  if (is_new) {
+    const auto held = numbers_.find(name);
+    at->second = mean_colour(held == numbers_.end() ? read(name) : document_.textures[std::size_t(held->second)]);
   }
+  return at->second;
 }
 
 }  // namespace halfspace::ref
