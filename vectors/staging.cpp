@@ -141,6 +141,7 @@ StagedFile::StagedFile(const std::string& path) : name_(path), target_(path), de
   if (is_there && access(target_.c_str(), W_OK) != 0) cannot_write(path, errno);
   if (access(parent_of(target).c_str(), W_OK | X_OK) != 0) cannot_write(path, errno);
   part_ = (target.parent_path() / part_name(target)).string();
+  unfinished_.emplace(part_);
 }
 
 StagedFile::~StagedFile() {
@@ -148,7 +149,7 @@ StagedFile::~StagedFile() {
 }
 
 std::string StagedFile::path() {
-  if (part_.empty()) part_ = (fs::temp_directory_path() / part_name(target_)).string();
+  if (part_.empty()) unfinished_.emplace(part_ = (fs::temp_directory_path() / part_name(target_)).string());
   return part_;
 }
 
@@ -168,6 +169,7 @@ void StagedFile::commit() {
   struct stat old {};
   if (stat(target_.c_str(), &old) == 0) chmod(part_.c_str(), old.st_mode & 07777);
   if (rename(part_.c_str(), target_.c_str()) != 0) cannot_write(name_, errno);
+  unfinished_.reset();
   part_.clear();
 }
 

@@ -4,8 +4,12 @@
 #define HALFSPACE_VECTORS_STAGING_HPP_
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "vectors/unfinished.hpp"
 
 namespace halfspace::model {
 
@@ -41,6 +45,7 @@ class StagedFile {
   std::string name_, target_, part_;  // as given; what it stands for; where it is now, if anywhere
   std::string held_;                  // of a stream, what was given to write()
   int descriptor_ = -1;               // one that is open, if that is named
+  std::optional<Unfinished> unfinished_;
   bool is_stream_ = false;
 };
 

@@ -8,10 +8,12 @@ import os
 import pathlib
 import resource
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
 import threading
+import time
 import unittest
 
 HALFSPACE = str(pathlib.Path(sys.argv[1]).resolve())
@@ -82,6 +84,17 @@ class Output(unittest.TestCase):
                 done = self.run_it(*call, capture_output=False, stdout=full, stderr=subprocess.PIPE)
                 self.assertGreater(done.returncode, 0, call)
                 self.assertIn(b"standard output", done.stderr)
+
+    def test_a_signal_leaves_nothing(self):
+        for kind in ("x%d.png", "x.mp4") if shutil.which("ffmpeg") else ("x%d.png",):
+            for end in (signal.SIGINT, signal.SIGTERM):
+                film = subprocess.Popen([HALFSPACE, "frames", "drone", "-o", kind], cwd=self.folder)
+                while not list(self.folder.iterdir()) and film.poll() is None:
+                    time.sleep(0.05)
+                film.send_signal(end)
+                self.assertEqual(film.wait(60), -end)
+                time.sleep(0.5)  # ffmpeg ends with its input
+                self.assertEqual(list(self.folder.iterdir()), [], (kind, end))
 
     def test_devices_pipes_and_links_are_written_to(self):
         png = self.folder / "x.png"
