@@ -59,7 +59,7 @@ bool motion_setup(Stream<Attributes<F>>& attributes, Stream<MotionVectors<F>>& v
     out.face = given.face;
     const PlaneBase<F> base = frame_base(in);
     const VertexOrder order = vertex_order(in);
-  Keys:
+  SetupKeys:
     for (int k = 0; k < kKeys; ++k) out.key[k] = key_planes<F>(base, order, given.key[k]);
   }
   planes.write(out);

@@ -16,7 +16,7 @@ Colours<F> lit_colours(const Normals<F>& in, const LightTable<F>& lights, const 
   Colours<F> out{};
   out.last = in.last;
   out.index = in.index;
-Vertices:
+LitVertices:
   HS_IN_TURN for (int v = 0; v < (F::kGouraud ? 3 : 1); ++v) {
     const typename F::Normal n[3] = {next.x[0], next.y[0], next.z[0]};
     const Rgb<F> colour = light_normal<F>(n, in.material, lights, materials);

@@ -98,7 +98,7 @@ LitSum<F> add_light(const LitSum<F>& sum, const typename F::Normal (&n)[3], cons
     highlight = select(along > typename F::Dot(), half, highlight);
   }
   LitSum<F> lit;
-Channels:
+LitChannels:
   for (int c = 0; c < 3; ++c) {
     HS_UNROLL
     const typename F::LightSum base = sum.channel[c] + entry.base[c];

@@ -76,9 +76,11 @@ Stamps:
     HS_PIPELINE(1)
     const bool row_ends = at.x == end.x;
     done = row_ends && at.y == end.y;
-    scan.write(take_stamp(at, done, index_buffer));
+    const Scan<F> word = take_stamp(at, done, index_buffer);
+    // Before the word goes: Bambu has a narrow comparison where its last user stands, and a write does not wait for it.
     at.x = select(row_ends, from_raw<X>(0), X(at.x + from_raw<X>(1)));
     at.y = select(row_ends, Y(at.y + from_raw<Y>(1)), at.y);
+    scan.write(word);
   }
 }
 

@@ -117,7 +117,8 @@ Stamps:
     }
   }
   if (kLate) {
-    write_stamp(far.stored, far.address, index_buffer, depth_buffer);
+    // A tool with a port for each may do both at once, so there is one if they go to one place.
+    if (far.address != near.address) write_stamp(far.stored, far.address, index_buffer, depth_buffer);
     write_stamp(near.stored, near.address, index_buffer, depth_buffer);
   }
   return last;
