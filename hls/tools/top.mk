@@ -14,8 +14,8 @@ TOPS := $(shell sed '/^\#/d; s/ .*//' $(ROOT)/hls/top/tops.txt)
 ROW := $(shell awk '$$1 == "$(TOP)"' $(ROOT)/hls/top/tops.txt)
 SCENE := $(word 2,$(ROW))
 CONFIG ?= $(word 3,$(ROW))
-# A composed top includes the others, so that it is one file as well.
-FILE := $(TOP:%=$(ROOT)/hls/top/%_top.cpp)
+# One file, as Bambu composes what it sees at once.
+FILE := $(if $(TOP),$(wildcard $(ROOT)/hls/top/$(TOP)_top.cpp $(ROOT)/hls/top/composed/$(TOP)_top.cpp))
 ifneq ($(TOP),)
 ifeq ($(ROW),)
 $(error TOP=$(TOP): the tops are $(TOPS))

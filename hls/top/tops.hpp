@@ -4,6 +4,7 @@
 #ifndef HALFSPACE_HLS_TOP_TOPS_HPP_
 #define HALFSPACE_HLS_TOP_TOPS_HPP_
 
+#include "hls/top/composed/frame_word.hpp"
 #include "hls/top/ports/ports.hpp"
 
 extern "C" {
@@ -117,24 +118,96 @@ void motion_compensate_top(int width, int height, int weight, halfspace::Port<ha
                            halfspace::Port<halfspace::TopKeyBlock>& key_block_1,
                            halfspace::Port<halfspace::Compensated>& compensated);
 
-// Composed. Triangles in, what is visible out; the I-buffer, the Z-buffer and TdbS are written.
+// Composed, of processes that a word of `frame` starts. Triangles in, what is visible out; the I-buffer, the Z-buffer
+// and TdbS are written, and once they are, the word comes out of `drawn`: it can start back_top.
 void front_top(
-    int width, int height,
     halfspace::MemoryWord<halfspace::IndexStamp> index_buffer[halfspace::IndexBuffer<halfspace::TopFormats>::kWords],
     halfspace::MemoryWord<halfspace::DepthStamp> depth_buffer[halfspace::DepthBuffer<halfspace::TopFormats>::kWords],
     halfspace::MemoryWord<halfspace::Planes> database[halfspace::ShadingDatabase<halfspace::TopFormats>::kWords],
-    halfspace::Port<halfspace::Triangle>& triangle, halfspace::Port<halfspace::Visible>& visible);
+    halfspace::Port<halfspace::FrameWord>& frame, halfspace::Port<halfspace::Triangle>& triangle,
+    halfspace::Port<halfspace::Visible>& visible, halfspace::Port<halfspace::FrameWord>& drawn);
 
 // From these memories to colours; the I-buffer is cleared.
 void back_top(
-    int width, int height, int red, int green, int blue,
     halfspace::MemoryWord<halfspace::IndexStamp> index_buffer[halfspace::IndexBuffer<halfspace::TopFormats>::kWords],
     halfspace::MemoryWord<halfspace::Planes> database[halfspace::ShadingDatabase<halfspace::TopFormats>::kWords],
-    halfspace::Port<halfspace::Pixel>& pixel);
+    halfspace::Port<halfspace::FrameWord>& frame, halfspace::Port<halfspace::Pixel>& pixel);
 
 // Both, with the memories inside.
-void pipeline_top(int width, int height, int red, int green, int blue, halfspace::Port<halfspace::Triangle>& triangle,
+void pipeline_top(halfspace::Port<halfspace::FrameWord>& frame, halfspace::Port<halfspace::Triangle>& triangle,
                   halfspace::Port<halfspace::Visible>& visible, halfspace::Port<halfspace::Pixel>& pixel);
+
+// front_top with vertices that are lit, deferred: normals come for triangles that `visible` says.
+void front_lit_top(
+    halfspace::MemoryWord<halfspace::IndexStamp> index_buffer[halfspace::IndexBuffer<halfspace::TopFormats>::kWords],
+    halfspace::MemoryWord<halfspace::DepthStamp> depth_buffer[halfspace::DepthBuffer<halfspace::TopFormats>::kWords],
+    halfspace::MemoryWord<halfspace::Planes> database[halfspace::ShadingDatabase<halfspace::TopFormats>::kWords],
+    halfspace::MemoryWord<halfspace::Light> lights[halfspace::LightTable<halfspace::TopFormats>::kWords],
+    halfspace::MemoryWord<halfspace::Material> materials[halfspace::MaterialTable<halfspace::TopFormats>::kWords],
+    halfspace::Port<halfspace::FrameWord>& frame, halfspace::Port<halfspace::Triangle>& triangle,
+    halfspace::Port<halfspace::Normals>& normals, halfspace::Port<halfspace::Visible>& visible,
+    halfspace::Port<halfspace::FrameWord>& drawn);
+
+// The same up to planes of normals.
+void front_phong_top(
+    halfspace::MemoryWord<halfspace::IndexStamp> index_buffer[halfspace::IndexBuffer<halfspace::TopFormats>::kWords],
+    halfspace::MemoryWord<halfspace::DepthStamp> depth_buffer[halfspace::DepthBuffer<halfspace::TopFormats>::kWords],
+    halfspace::MemoryWord<halfspace::NormalPlanes>
+        normals_database[halfspace::NormalDatabase<halfspace::TopFormats>::kWords],
+    halfspace::Port<halfspace::FrameWord>& frame, halfspace::Port<halfspace::Triangle>& triangle,
+    halfspace::Port<halfspace::Normals>& normals, halfspace::Port<halfspace::Visible>& visible,
+    halfspace::Port<halfspace::FrameWord>& drawn);
+
+// With texture coordinates beside the colours.
+void front_textured_top(
+    halfspace::MemoryWord<halfspace::IndexStamp> index_buffer[halfspace::IndexBuffer<halfspace::TopFormats>::kWords],
+    halfspace::MemoryWord<halfspace::DepthStamp> depth_buffer[halfspace::DepthBuffer<halfspace::TopFormats>::kWords],
+    halfspace::MemoryWord<halfspace::Planes> database[halfspace::ShadingDatabase<halfspace::TopFormats>::kWords],
+    halfspace::MemoryWord<halfspace::TexturePlanes>
+        texture_database[halfspace::TextureDatabase<halfspace::TopFormats>::kWords],
+    halfspace::Port<halfspace::FrameWord>& frame, halfspace::Port<halfspace::Triangle>& triangle,
+    halfspace::Port<halfspace::TextureCoordinates>& coordinates, halfspace::Port<halfspace::Visible>& visible,
+    halfspace::Port<halfspace::FrameWord>& drawn);
+
+// With motion in the place of colours.
+void front_motion_top(
+    halfspace::MemoryWord<halfspace::IndexStamp> index_buffer[halfspace::IndexBuffer<halfspace::TopFormats>::kWords],
+    halfspace::MemoryWord<halfspace::DepthStamp> depth_buffer[halfspace::DepthBuffer<halfspace::TopFormats>::kWords],
+    halfspace::MemoryWord<halfspace::MotionPlanes>
+        motion_database[halfspace::MotionDatabase<halfspace::TopFormats>::kWords],
+    halfspace::Port<halfspace::FrameWord>& frame, halfspace::Port<halfspace::Triangle>& triangle,
+    halfspace::Port<halfspace::MotionVectors>& vectors, halfspace::Port<halfspace::Visible>& visible,
+    halfspace::Port<halfspace::FrameWord>& drawn);
+
+// back_top of each.
+void back_phong_top(
+    halfspace::MemoryWord<halfspace::IndexStamp> index_buffer[halfspace::IndexBuffer<halfspace::TopFormats>::kWords],
+    halfspace::MemoryWord<halfspace::NormalPlanes>
+        normals_database[halfspace::NormalDatabase<halfspace::TopFormats>::kWords],
+    halfspace::MemoryWord<halfspace::Light> lights[halfspace::LightTable<halfspace::TopFormats>::kWords],
+    halfspace::MemoryWord<halfspace::Material> materials[halfspace::MaterialTable<halfspace::TopFormats>::kWords],
+    halfspace::Port<halfspace::FrameWord>& frame, halfspace::Port<halfspace::Pixel>& pixel);
+void back_textured_top(
+    halfspace::MemoryWord<halfspace::IndexStamp> index_buffer[halfspace::IndexBuffer<halfspace::TopFormats>::kWords],
+    halfspace::MemoryWord<halfspace::Planes> database[halfspace::ShadingDatabase<halfspace::TopFormats>::kWords],
+    halfspace::MemoryWord<halfspace::TexturePlanes>
+        texture_database[halfspace::TextureDatabase<halfspace::TopFormats>::kWords],
+    halfspace::MemoryWord<halfspace::TextureEntry> textures[halfspace::TextureTable<halfspace::TopFormats>::kWords],
+    halfspace::MemoryWord<halfspace::TexelColour> texels[halfspace::TextureMemory<halfspace::TopFormats>::kWords],
+    halfspace::Port<halfspace::FrameWord>& frame, halfspace::Port<halfspace::Pixel>& pixel);
+void back_motion_top(
+    halfspace::MemoryWord<halfspace::IndexStamp> index_buffer[halfspace::IndexBuffer<halfspace::TopFormats>::kWords],
+    halfspace::MemoryWord<halfspace::MotionPlanes>
+        motion_database[halfspace::MotionDatabase<halfspace::TopFormats>::kWords],
+    halfspace::Port<halfspace::FrameWord>& frame, halfspace::Port<halfspace::Motion>& motion);
+
+// With the depth and the object of each pixel, for ztest_merge_top.
+void back_objects_top(
+    halfspace::MemoryWord<halfspace::IndexStamp> index_buffer[halfspace::IndexBuffer<halfspace::TopFormats>::kWords],
+    halfspace::MemoryWord<halfspace::DepthStamp> depth_buffer[halfspace::DepthBuffer<halfspace::TopFormats>::kWords],
+    halfspace::MemoryWord<halfspace::Planes> database[halfspace::ShadingDatabase<halfspace::TopFormats>::kWords],
+    halfspace::MemoryWord<halfspace::ObjectEntry> objects[halfspace::ObjectTable<halfspace::TopFormats>::kWords],
+    halfspace::Port<halfspace::FrameWord>& frame, halfspace::Port<halfspace::Entry>& entry);
 
 }  // extern "C"
 

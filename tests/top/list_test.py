@@ -28,7 +28,7 @@ def faults(root):
     listed = [row[0] for row in rows(root)]
     yield from (f"hls/top/tops.txt: names {name} twice" for name in sorted(set(listed)) if listed.count(name) > 1)
     listed = set(listed)
-    sources = {path.name.removesuffix("_top.cpp") for path in top.glob("*_top.cpp")}
+    sources = {path.name.removesuffix("_top.cpp") for path in top.rglob("*_top.cpp")}
     yield from difference("hls/top/*_top.cpp", sources, listed)
     declared = set(re.findall(r"^void (\w+)_top\(", (top / "tops.hpp").read_text(), re.M))
     yield from difference("hls/top/tops.hpp", declared, listed)

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "hls/top/bench/composed_frames.hpp"
 #include "hls/top/bench/frames.hpp"
 
 int main(int argc, char** argv) {

@@ -6,6 +6,9 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#ifdef __BAMBU_SIM__
+#include <mdpi/mdpi_user.h>
+#endif
 
 namespace halfspace {
 namespace {
@@ -71,6 +74,14 @@ const HexWords& Bench::words(const std::string& stream) {
     if (frames.size() != sizes_.size()) fail(name, "has not the frames of the manifest");
   }
   return frames[frame_ - 1];
+}
+
+void Bench::announce(int argument, std::size_t words) {
+#ifdef __BAMBU_SIM__
+  m_param_alloc(std::uint8_t(argument), words);
+#else
+  (void)argument, (void)words;
+#endif
 }
 
 void Bench::mismatch(const char* stream, std::size_t word, const std::string& got, const std::string& expected) {

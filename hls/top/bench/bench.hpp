@@ -41,6 +41,9 @@ class Bench {
   void send(const char* stream, Channel<R>& channel) {
     for (const std::string& line : words(stream)) channel.write(word_of<R>(line));
   }
+  // Before a composed top is called: its argument `argument`, from 0, is a channel that gets so many words. Processes
+  // of Bambu's dataflow do not end; its simulation does when each output has its words.
+  void announce(int argument, std::size_t words);
   template <class R>
   void expect(const char* stream, Channel<R>& channel) {
     HexWords got;

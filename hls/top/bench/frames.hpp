@@ -210,9 +210,7 @@ void frame_of_scan_object(B& bench) {
   static MemoryWord<ObjectEntry> objects[ObjectTable<F>::kWords];
   drawn.clear();
   drawn.draw(bench.template records<Update<F>>("update"));
-  for (const Triangle<F>& triangle : bench.template records<Triangle<F>>("triangle")) {
-    if (is_set(triangle.index)) objects[int(raw(triangle.index)) - 1] = packed(ObjectEntry<F>{triangle.object});
-  }
+  store_objects(bench, objects);
   std::vector<ObjectPixel<F>> expected;
   for (const Entry<F>& entry : bench.template records<Entry<F>>("entry")) expected.push_back(objects_of(entry));
   Port<Scan> scan;
@@ -231,51 +229,6 @@ void frame_of_motion_field(B& bench) {
   bench.template send<Scan<F>>("scan", scan);
   motion_field_top(database, scan, motion);
   bench.template expect<Motion<F>>("motion", motion);
-}
-
-template <class B>
-void frame_of_front(B& bench) {
-  static Drawn drawn, expected;
-  static MemoryWord<Planes> database[ShadingDatabase<F>::kWords], planes[ShadingDatabase<F>::kWords];
-  drawn.clear(), expected.clear();
-  expected.draw(bench.template records<Update<F>>("update"));
-  store_planes<Planes<F>>(bench, "planes", planes);
-  Port<Triangle> triangle;
-  Port<Visible> visible;
-  bench.template send<Triangle<F>>("triangle", triangle);
-  front_top(bench.size().width, bench.size().height, drawn.index, drawn.depth, database, triangle, visible);
-  bench.template expect<Visible<F>>("visible", visible);
-  bench.expect("I-buffer", drawn.index, expected.index);
-  if (F::kStoresDepth) bench.expect("Z-buffer", drawn.depth, expected.depth);
-  bench.expect("TdbS", database, planes);
-}
-
-template <class B>
-void frame_of_back(B& bench) {
-  static Drawn drawn, cleared;
-  static MemoryWord<Planes> database[ShadingDatabase<F>::kWords];
-  drawn.clear();
-  drawn.draw(bench.template records<Update<F>>("update"));
-  store_planes<Planes<F>>(bench, "planes", database);
-  Port<Pixel> pixel;
-  const int(&background)[3] = bench.size().background;
-  back_top(bench.size().width, bench.size().height, background[0], background[1], background[2], drawn.index, database,
-           pixel);
-  bench.template expect<Pixel<F>>("pixel", pixel);
-  bench.expect("I-buffer", drawn.index, cleared.index);
-}
-
-template <class B>
-void frame_of_pipeline(B& bench) {
-  Port<Triangle> triangle;
-  Port<Visible> visible;
-  Port<Pixel> pixel;
-  bench.template send<Triangle<F>>("triangle", triangle);
-  const int(&background)[3] = bench.size().background;
-  pipeline_top(bench.size().width, bench.size().height, background[0], background[1], background[2], triangle, visible,
-               pixel);
-  bench.template expect<Visible<F>>("visible", visible);
-  bench.template expect<Pixel<F>>("pixel", pixel);
 }
 
 // Requests are answered in the order of the set, as blocks stand in it.

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "hls/top/bench/composed_frames.hpp"
 #include "hls/top/bench/frames.hpp"
 
 #ifndef HALFSPACE_BENCH_VECTORS

@@ -83,6 +83,15 @@ void store_planes(B& bench, const char* stream, Packed<R> (&database)[N]) {
   }
 }
 
+// The object of each triangle.
+template <std::size_t N, class B>
+void store_objects(B& bench, MemoryWord<ObjectEntry> (&objects)[N]) {
+  using F = TopFormats;
+  for (const Triangle<F>& triangle : bench.template records<Triangle<F>>("triangle")) {
+    if (is_set(triangle.index)) objects[int(raw(triangle.index)) - 1] = packed(ObjectEntry<F>{triangle.object});
+  }
+}
+
 template <class F>
 ObjectPixel<F> objects_of(const Entry<F>& entry) {
   ObjectPixel<F> out;

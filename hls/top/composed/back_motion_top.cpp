@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hls/motion/motion_field.hpp"
+#include "hls/top/composed/scan_process.hpp"
+#include "hls/top/tops.hpp"
+
+using namespace halfspace;
+
+namespace {
+
+void field_process(MemoryWord<MotionPlanes> database[MotionDatabase<TopFormats>::kWords], Port<Scan>& scan,
+                   Port<Motion>& motion) {
+  using F = TopFormats;
+  static_assert(F::kHasMotion, "motion_field is of configurations with motion");
+  MotionDatabase<F> view = {Words<MotionPlanes<F>>(database)};
+  View<Scan> scan_words(scan);
+  View<Motion> motion_words(motion);
+  motion_field_frame(scan_words, view, motion_words);
+}
+
+class BackMotion {
+ public:
+  void run(MemoryWord<IndexStamp> index_buffer[IndexBuffer<TopFormats>::kWords],
+           MemoryWord<MotionPlanes> motion_database[MotionDatabase<TopFormats>::kWords], Port<FrameWord>& frame,
+           Port<Motion>& motion) {
+#ifdef HS_DATAFLOW
+#pragma HLS dataflow
+#endif
+    HS_DEPTH(scan_, 4)
+    scan_process(index_buffer, frame, scan_);
+    field_process(motion_database, scan_, motion);
+  }
+
+ private:
+  Port<Scan> scan_;
+};
+
+}  // namespace
+
+extern "C" void back_motion_top(MemoryWord<IndexStamp> index_buffer[IndexBuffer<TopFormats>::kWords],
+                                MemoryWord<MotionPlanes> motion_database[MotionDatabase<TopFormats>::kWords],
+                                Port<FrameWord>& frame, Port<Motion>& motion) {
+  HS_MEMORY_PORT(index_buffer)
+  HS_MEMORY_PORT(motion_database)
+  HS_STREAM_PORT(frame)
+  HS_STREAM_PORT(motion)
+  HS_STARTED
+  static BackMotion back_motion;
+  back_motion.run(index_buffer, motion_database, frame, motion);
+}
