@@ -69,6 +69,10 @@ class Builder {
 
   DistantMaterial material(const Material& in, const glm::dvec3& colour) const {
     const int k = squarings(in.shininess, most_squarings_);
+    if (in.unlit) {
+      const DistantMaterial::Reflection none{glm::dvec3(0), glm::dvec3(0)};
+      return {255.0 * in.diffuse * colour, 0, std::vector<DistantMaterial::Reflection>(out_.lights.size(), none)};
+    }
     DistantMaterial out{255.0 * (in.emission + scene_.ambient * in.ambient * colour), std::max(k, 0), {}};
     for (const DistantLight& light : out_.lights) {
       out.reflections.push_back({255.0 * light.intensity * in.diffuse * colour,

@@ -45,6 +45,7 @@ std::vector<Light> lights_of(const Scene& scene, const Viewpoint& from) {
 
 glm::dvec3 phong(const SurfacePoint& at, const Material& material, const glm::dvec3& ambient,
                  const std::vector<Light>& lights) {
+  if (material.unlit) return glm::clamp(255.0 * material.diffuse * at.colour, 0.0, 255.0);
   glm::dvec3 total = material.emission + ambient * material.ambient * at.colour;
   for (const Light& light : lights) {
     const Arrival arrival = arrive(light, at.position);

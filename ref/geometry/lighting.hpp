@@ -36,7 +36,7 @@ std::vector<Light> lights_of(const Scene&, const Viewpoint&);
 
 // The Phong model of index rendering, in 0-255 a channel and clamped to it:
 //   I = emission + Ia Ka + sum of Ii (Kd (L·N) + Ks (H·N)^n),  H = (L + V) / |L + V|,
-// for lights with L·N > 0.
+// for lights with L·N > 0. Of an unlit material I = Kd.
 glm::dvec3 phong(const SurfacePoint&, const Material&, const glm::dvec3& ambient, const std::vector<Light>&);
 
 }  // namespace halfspace::ref

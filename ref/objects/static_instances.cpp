@@ -32,7 +32,7 @@ const Texture* texture_of(const Scene& scene, const Material& m) {
 bool same_material(const Scene& a, int m, const Scene& b, int n) {
   const Material &x = a.materials[std::size_t(m)], &y = b.materials[std::size_t(n)];
   const auto all = [](const Material& of) {
-    return std::tie(of.ambient, of.diffuse, of.specular, of.emission, of.shininess, of.two_sided);
+    return std::tie(of.ambient, of.diffuse, of.specular, of.emission, of.shininess, of.two_sided, of.unlit);
   };
   const Texture *s = texture_of(a, x), *t = texture_of(b, y);
   if (all(x) != all(y) || !s != !t) return false;

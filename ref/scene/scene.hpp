@@ -19,6 +19,7 @@ struct Material {
   glm::dvec3 ambient{0.8}, diffuse{0.8}, specular{0}, emission{0};  // Ka, Kd, Ks
   double shininess = 0;                                             // n
   bool two_sided = false;                                           // drawn from behind as well
+  bool unlit = false;                                               // its colour is Kd, whatever light there is
   int texture = -1;                                                 // its colour multiplies what is lit; −1: none
 };
 
