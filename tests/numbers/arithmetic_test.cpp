@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
 #include <random>
 #include <vector>
 
@@ -18,13 +19,14 @@ constexpr int kValues = 60;
 // The bits of T: all of them if it is short.
 template <class T>
 std::vector<std::uint64_t> bits_of() {
-  std::vector<std::uint64_t> bits;
   if (T::kWidth <= 5) {
-    for (std::uint64_t n = 0; n < std::uint64_t(1) << T::kWidth; ++n) bits.push_back(n);
-    return bits;
+    std::vector<std::uint64_t> all(std::size_t(1) << T::kWidth % 6);
+    std::iota(all.begin(), all.end(), 0);
+    return all;
   }
   const std::uint64_t top = std::uint64_t(1) << (T::kWidth - 1);
-  bits = {0, 1, 2, top, top - 1, top + 1, 2 * top - 1, top / 3, (std::uint64_t(1) << 24) - 1, std::uint64_t(1) << 24};
+  std::vector<std::uint64_t> bits = {
+      0, 1, 2, top, top - 1, top + 1, 2 * top - 1, top / 3, (std::uint64_t(1) << 24) - 1, std::uint64_t(1) << 24};
   std::mt19937_64 random(T::kWidth);
   while (bits.size() < kValues) bits.push_back(random() >> random() % 64);
   return bits;
