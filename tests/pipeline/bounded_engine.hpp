@@ -12,8 +12,8 @@
 #include <map>
 #include <string>
 
+#include "hls/formats/stream_depths.hpp"
 #include "model/pipeline/engine_impl.hpp"
-#include "tests/pipeline/stream_depths.hpp"
 
 namespace halfspace::tests {
 

@@ -25,7 +25,7 @@ class BackMotion {
 #ifdef HS_DATAFLOW
 #pragma HLS dataflow
 #endif
-    HS_DEPTH(scan_, 4)
+    HS_DEPTH(scan_, TopDepths::scan)
     scan_process(index_buffer, frame, scan_);
     field_process(motion_database, scan_, motion);
   }

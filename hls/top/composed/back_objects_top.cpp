@@ -39,8 +39,8 @@ class BackObjects {
 #ifdef HS_DATAFLOW
 #pragma HLS dataflow
 #endif
-    HS_DEPTH(pixel_scan_, 4)
-    HS_DEPTH(object_scan_, 16)
+    HS_DEPTH(pixel_scan_, TopDepths::pixel_scan)
+    HS_DEPTH(object_scan_, TopDepths::object_scan)
     fork_frame(frame, scan_frame_, shade_frame_);
     scan_process(index_buffer, scan_frame_, scan_);
     fork_scan(scan_, pixel_scan_, object_scan_);

@@ -33,8 +33,8 @@ class BackTextured {
 #ifdef HS_DATAFLOW
 #pragma HLS dataflow
 #endif
-    HS_DEPTH(coloured_scan_, 32)
-    HS_DEPTH(texed_scan_, 64)
+    HS_DEPTH(coloured_scan_, TopDepths::coloured_scan)
+    HS_DEPTH(texed_scan_, TopDepths::texed_scan)
     fork_frame(frame, scan_frame_, shade_frame_);
     scan_process(index_buffer, scan_frame_, scan_);
     fork_scan(scan_, coloured_scan_, texed_scan_);

@@ -15,7 +15,7 @@ class Back {
 #ifdef HS_DATAFLOW
 #pragma HLS dataflow
 #endif
-    HS_DEPTH(scan_, 4)
+    HS_DEPTH(scan_, TopDepths::scan)
     fork_frame(frame, scan_frame_, shade_frame_);
     scan_process(index_buffer, scan_frame_, scan_);
     shade_process(database, shade_frame_, scan_, pixel);

@@ -35,9 +35,9 @@ class FrontMotion {
 #ifdef HS_DATAFLOW
 #pragma HLS dataflow
 #endif
-    HS_DEPTH(setup_, kTrianglesAhead)
-    HS_DEPTH(attributes_, kTrianglesAhead)
-    HS_DEPTH(stamp_, 4)
+    HS_DEPTH(setup_, TopDepths::setup)
+    HS_DEPTH(attributes_, TopDepths::attributes)
+    HS_DEPTH(stamp_, TopDepths::stamp)
     fork_frame(frame, setup_frame_, raster_frame_, test_frame_);
     triangle_process(setup_frame_, triangle, setup_, attributes_);
     raster_process(raster_frame_, setup_, stamp_);

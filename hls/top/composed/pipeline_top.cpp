@@ -45,10 +45,10 @@ class Pipeline {
 #ifdef HS_DATAFLOW
 #pragma HLS dataflow
 #endif
-    HS_DEPTH(setup_, kTrianglesAhead)
-    HS_DEPTH(attributes_, 4)
-    HS_DEPTH(stamp_, 4)
-    HS_DEPTH(scan_, 4)
+    HS_DEPTH(setup_, TopDepths::setup)
+    HS_DEPTH(attributes_, TopDepths::attributes)
+    HS_DEPTH(stamp_, TopDepths::stamp)
+    HS_DEPTH(scan_, TopDepths::scan)
     fork_frame(frame, setup_frame_, raster_frame_, draw_frame_, shade_frame_);
     triangle_process(setup_frame_, triangle, setup_, attributes_);
     planes_process(attributes_, planes_);

@@ -25,7 +25,7 @@
 #include "hls/formats/buffers.hpp"
 #include "hls/formats/key_records.hpp"
 #include "hls/formats/object_records.hpp"
-#include "hls/formats/triangles_ahead.hpp"
+#include "hls/formats/stream_depths.hpp"
 #include "hls/top/ports/port_pragmas.hpp"
 
 #ifndef HALFSPACE_TOP_CONFIG
@@ -38,6 +38,7 @@
 namespace halfspace {
 
 using TopFormats = Formats<HALFSPACE_TOP_CONFIG, HALFSPACE_TOP_STAMP>;
+using TopDepths = StreamDepths<TopFormats>;  // of channels inside a composed top
 
 template <template <class> class Record>
 using Port = Channel<Record<TopFormats>>;

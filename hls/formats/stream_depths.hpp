@@ -10,13 +10,15 @@
 //   fifo     the module and the parameter of the RTL that set it; "": no queue
 //
 // Those of 512 let geometry send 512 triangles before it takes a `visible`. The others keep units busy: with one word
-// each the words would come later, and the same.
-#ifndef HALFSPACE_TESTS_PIPELINE_STREAM_DEPTHS_HPP_
-#define HALFSPACE_TESTS_PIPELINE_STREAM_DEPTHS_HPP_
-
-#include "hls/formats/triangles_ahead.hpp"
+// each the words would come later, and the same. A test holds them to the parameters of the RTL.
+#ifndef HALFSPACE_HLS_FORMATS_STREAM_DEPTHS_HPP_
+#define HALFSPACE_HLS_FORMATS_STREAM_DEPTHS_HPP_
 
 namespace halfspace {
+
+// How many triangles geometry may send before it takes a `visible`, with any formats: setups and, deferred, attributes
+// of them all fit.
+constexpr int kTrianglesAhead = 512;
 
 // clang-format off
 #define HS_STREAM_DEPTHS(X)                                                                                     \
@@ -55,6 +57,14 @@ namespace halfspace {
   X(entry, 1, "")
 // clang-format on
 
+// StreamDepths<F>::member
+template <class F>
+struct StreamDepths {
+#define HS_STREAM_DEPTH(member, depth, fifo) static constexpr int member = depth;
+  HS_STREAM_DEPTHS(HS_STREAM_DEPTH)
+#undef HS_STREAM_DEPTH
+};
+
 }  // namespace halfspace
 
-#endif  // HALFSPACE_TESTS_PIPELINE_STREAM_DEPTHS_HPP_
+#endif  // HALFSPACE_HLS_FORMATS_STREAM_DEPTHS_HPP_
