@@ -13,8 +13,10 @@
 //   V_k = Σ weights · colours + what the colour in between differs by      exact, 2w fraction bits
 //   both keys: W·V_0 + (1 − W)·V_1;  one: it alone;  none: a hole, which is not filled here
 //
-// One rounding, half up, then clamped. One word a call. Cycles in the RTL: one a word, and for the tiles that the
-// caches of the two keys lack, which they fetch at the same time, 1 + (8/N)² a tile.
+// One rounding, half up, then clamped. One word a call.
+//
+// Interval of the RTL: a pixel a cycle, and 1 + (8/N)² for a tile that a cache lacks; the two keys fetch at the same
+// time.
 #ifndef HALFSPACE_HLS_MOTION_MOTION_COMPENSATE_HPP_
 #define HALFSPACE_HLS_MOTION_MOTION_COMPENSATE_HPP_
 

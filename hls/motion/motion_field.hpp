@@ -10,9 +10,10 @@
 // fit its format is no vector: cut off it would lead to another point. With F::kRelights the planes of colour
 // differences are rounded at the pixel as well. The error is derived in docs/numerics.md.
 //
-// One pixel after the other goes through one set of planes. Cycles of a stamp in the RTL: its covered lanes, one at
-// least. Multipliers there, for each key: two for each plane, and with perspective one in the reciprocal and two with
-// it.
+// One pixel after the other goes through one set of planes. Multipliers of the RTL, for each key: two for each plane,
+// and with perspective one in the reciprocal and two with it.
+//
+// Interval: a cycle a covered lane; one for a stamp of background.
 #ifndef HALFSPACE_HLS_MOTION_MOTION_FIELD_HPP_
 #define HALFSPACE_HLS_MOTION_MOTION_FIELD_HPP_
 
@@ -49,7 +50,7 @@ Way<F> way_to(const typename F::Origin& origin, const typename F::Extent& extent
   const int below = F::Origin::width() + 2 - head - int(raw(extent));
   const Twice twice = shift_right(leading<Twice>(scaled), below);
   const Twice offset = slice<Twice>(twice + from_raw<Twice>(1), 1);
-  const Vector half = from_raw<Vector>(1 << (F::kVectorFraction - 1));
+  const Vector half = from_raw<Vector>(1 << F::kVectorFraction >> 1);
   return origin - pixel - half + offset;
 }
 

@@ -3,7 +3,8 @@
 // F::kRelights three of colour differences. Places and differences are channels as depths and colours are, unsigned,
 // and so their planes have the widths and the bounds of those. Attributes and words of motion come in one order, motion
 // not for empty ones.
-// Interval of the RTL: that of two planes, with perspective or F::kRelights that of three, as the keys, and places and
+//
+// Interval of the RTL: that of shade_setup, affine without F::kRelights two thirds of it, as the keys, and places and
 // differences, go side by side.
 #ifndef HALFSPACE_HLS_MOTION_MOTION_SETUP_HPP_
 #define HALFSPACE_HLS_MOTION_MOTION_SETUP_HPP_

@@ -2,7 +2,7 @@
 // The D-buffer at scan-out: which object each pixel shows, and how deep. Indices are few and are given anew in every
 // frame, objects are many and keep their numbers; a table tells the object of an index.
 //
-// A cycle for each different triangle in a stamp, one if there is none: the shader beside it takes no fewer.
+// Interval: a cycle for each different triangle in a stamp, one if there is none: the shader beside it takes no fewer.
 #ifndef HALFSPACE_HLS_OBJECTS_SCAN_OBJECT_HPP_
 #define HALFSPACE_HLS_OBJECTS_SCAN_OBJECT_HPP_
 
@@ -21,18 +21,14 @@ bool store_object(Stream<Triangle<F>>& triangle, ObjectTable<F>& table) {
   return is_set(in.last);
 }
 
-// A stamp.
+// The depths of a stamp, no objects yet, and the lanes that wait for theirs.
 template <class F>
-bool scan_object(Stream<Scan<F>>& scan, DepthBuffer<F>& depth_buffer, const ObjectTable<F>& table,
-                 Stream<ObjectPixel<F>>& object_pixel) {
-  const Scan<F> in = scan.read();
+void start_stamp(const Scan<F>& in, DepthBuffer<F>& depth_buffer, ObjectPixel<F>& out, Bit (&waits)[F::kLanes]) {
   const int address = stamp_address<F>(in.x, in.y);
   const typename F::Depth farthest = farthest_depth<F>();
-  ObjectPixel<F> out;
   out.last = in.last;
   out.x = in.x;
   out.y = in.y;
-  Bit waits[F::kLanes];
 Depths:
   for (int l = 0; l < F::kLanes; ++l) {
     HS_UNROLL
@@ -41,21 +37,59 @@ Depths:
     out.depth[l] = select(shows_one, trimmed(depth_buffer.depth[address][l]), farthest);
     out.object[l] = from_raw<typename F::Object>(0);
   }
+}
+// The object of the next triangle of the stamp. Returns whether there was one.
+template <class F>
+bool name_group(const Scan<F>& in, const ObjectTable<F>& table, ObjectPixel<F>& out, Bit (&waits)[F::kLanes]) {
+  Bit shows[F::kLanes];
+  const int index = next_group<F>(in.index, waits, shows);
+  if (index == 0) return false;
+  const typename F::Object object = table.object[index - 1];
+Lanes:
+  for (int l = 0; l < F::kLanes; ++l) {
+    HS_UNROLL
+    out.object[l] = select(is_set(shows[l]), object, out.object[l]);
+  }
+  return true;
+}
+
+// A stamp.
+template <class F>
+bool scan_object(Stream<Scan<F>>& scan, DepthBuffer<F>& depth_buffer, const ObjectTable<F>& table,
+                 Stream<ObjectPixel<F>>& object_pixel) {
+  const Scan<F> in = scan.read();
+  ObjectPixel<F> out;
+  Bit waits[F::kLanes];
+  start_stamp(in, depth_buffer, out, waits);
 Triangles:
   for (int n = 0; n < F::kLanes; ++n) {
     HS_PIPELINE(1)
-    Bit shows[F::kLanes];
-    const int index = next_group<F>(in.index, waits, shows);
-    if (index == 0) break;
-    const typename F::Object object = table.object[index - 1];
-  Lanes:
-    for (int l = 0; l < F::kLanes; ++l) {
-      HS_UNROLL
-      out.object[l] = select(is_set(shows[l]), object, out.object[l]);
-    }
+    if (!name_group(in, table, out, waits)) break;
   }
   object_pixel.write(out);
   return is_set(in.last);
+}
+
+// All stamps. A turn takes a triangle: the first of a stamp reads it, and the last writes its pixels.
+template <class F>
+void scan_object_frame(Stream<Scan<F>>& scan, DepthBuffer<F>& depth_buffer, const ObjectTable<F>& table,
+                       Stream<ObjectPixel<F>>& object_pixel) {
+  Scan<F> in{};
+  ObjectPixel<F> out{};
+  Bit waits[F::kLanes];
+  bool starts = true, done = false;
+Turns:
+  while (!done) {
+    HS_PIPELINE(1)
+    if (starts) {
+      in = scan.read();
+      start_stamp(in, depth_buffer, out, waits);
+    }
+    name_group(in, table, out, waits);
+    starts = !any_waits<F>(waits);
+    if (starts) object_pixel.write(out);
+    done = starts && is_set(in.last);
+  }
 }
 
 // A stamp: its colours come from the shader.

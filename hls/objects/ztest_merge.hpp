@@ -20,7 +20,7 @@
 //   erase             sends, a range
 //   occlusion query   a range
 //
-// A stamp a cycle, and one for the word of `merge`.
+// Interval: a stamp a cycle, and one a run, for its command.
 #ifndef HALFSPACE_HLS_OBJECTS_ZTEST_MERGE_HPP_
 #define HALFSPACE_HLS_OBJECTS_ZTEST_MERGE_HPP_
 

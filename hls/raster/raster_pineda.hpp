@@ -7,8 +7,10 @@
 // row, goes right to the last one, then left from where it began. On the way it keeps the first stamp whose neighbour
 // below is near: the next row begins there. Without one it searches from where it stands, in the direction in
 // which the edges that fail increase; edges that disagree prove the row empty.
-// One stamp a cycle; `visits` hears how many a triangle took. An adjacent stamp is entered only when it is near, so
+// `visits` hears how many a triangle took. An adjacent stamp is entered only when it is near, so
 // that a cycle without a covered pixel is the price of a corner that only single edges reach, or of a search.
+//
+// Interval: a cycle a visited stamp, and two a triangle, to take it and to end it, which the RTL does meanwhile.
 #ifndef HALFSPACE_HLS_RASTER_RASTER_PINEDA_HPP_
 #define HALFSPACE_HLS_RASTER_RASTER_PINEDA_HPP_
 

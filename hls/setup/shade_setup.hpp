@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The colour planes of a triangle, for TdbS. The reciprocal is the one of the triangle setup. A flat colour goes
 // through. Colours come with the attributes or, with F::kHasLighting, from light_vertex, in one order, and not for
-// empty ones. Interval of the RTL: 24 cycles in low, 30 in middle and high; 3 for an empty record, 1 if flat.
+// empty ones.
+//
+// Interval of the RTL: 24 cycles a triangle in low, 30 in middle and high; 3 if it is empty, 1 if flat.
 #ifndef HALFSPACE_HLS_SETUP_SHADE_SETUP_HPP_
 #define HALFSPACE_HLS_SETUP_SHADE_SETUP_HPP_
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lights the vertices of a triangle; of a flat one, the one normal that it has.
+//
 // Interval of the RTL: a cycle a normal and light.
 #ifndef HALFSPACE_HLS_SHADE_LIGHT_VERTEX_HPP_
 #define HALFSPACE_HLS_SHADE_LIGHT_VERTEX_HPP_

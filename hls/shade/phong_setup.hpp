@@ -3,8 +3,9 @@
 // not for empty ones.
 //
 // A component goes through plane_setup with 2^p units added, so that it is unsigned as depths and colours are, and so
-// are the proofs of its widths and bounds: in bits, its top bit inverted. The shader inverts it again. Interval of the
-// RTL: that of shade_setup.
+// are the proofs of its widths and bounds: in bits, its top bit inverted. The shader inverts it again.
+//
+// Interval of the RTL: that of shade_setup.
 #ifndef HALFSPACE_HLS_SHADE_PHONG_SETUP_HPP_
 #define HALFSPACE_HLS_SHADE_PHONG_SETUP_HPP_
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scan-out of the I-buffer, and its clearing for the next frame in the same pass. A stamp a cycle.
+// Scan-out of the I-buffer, and its clearing for the next frame in the same pass.
+//
+// Interval: a stamp a cycle.
 #ifndef HALFSPACE_HLS_SHADE_SCAN_INDEX_HPP_
 #define HALFSPACE_HLS_SHADE_SCAN_INDEX_HPP_
 

@@ -2,9 +2,10 @@
 // The plane-equation Gouraud shader at scan-out (dual pipeline): colour = floor(C + A·x + B·y), C with its ½.
 //
 // A stamp shows few triangles, mostly one. A cycle shades all lanes of one triangle: one entry is read from TdbS, one
-// set of six multipliers gives the planes at the first pixel of the stamp, and an addition a lane the rest. Background
-// lanes count as a triangle of their own. Cycles of a stamp: the number of different indices in it. A flat triangle has
-// its one colour in TdbS and takes no multiplier.
+// set of six multipliers gives the planes at the first pixel of the stamp, and an addition a lane the rest. A flat
+// triangle has its one colour in TdbS and takes no multiplier.
+//
+// Interval: a cycle for each different triangle in a stamp, one for a stamp of background.
 #ifndef HALFSPACE_HLS_SHADE_SHADE_GOURAUD_HPP_
 #define HALFSPACE_HLS_SHADE_SHADE_GOURAUD_HPP_
 

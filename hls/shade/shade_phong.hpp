@@ -2,8 +2,9 @@
 // Phong shading at scan-out (index rendering, shading type Phong): the normal of a pixel from the planes of its
 // triangle, rounded to p bits, then lit. Each visible pixel is lit once, and what is hidden never.
 //
-// One pixel after the other goes through one set of planes and one lighting core. Cycles of a stamp: its covered lanes
-// times the lights, and the lights for a stamp of background.
+// One pixel after the other goes through one set of planes and one lighting core.
+//
+// Interval: a cycle a lane and light; the RTL takes none for a lane of background beside covered ones.
 #ifndef HALFSPACE_HLS_SHADE_SHADE_PHONG_HPP_
 #define HALFSPACE_HLS_SHADE_SHADE_PHONG_HPP_
 

@@ -9,9 +9,11 @@
 // the nearest; or half a texel to the left, rounded to 8 bits, which are the weights of the two texels on either side.
 // Where a pixel lies among texels is derived, with its bound, in docs/numerics.md.
 //
-// One pixel after the other goes through one set of planes. Cycles of a stamp in the RTL: its covered lanes, one at
-// least. Multipliers there: two for each plane of s, t, q, one in the reciprocal, two with it; a channel three for a
-// bilinear filter, which steps from the even column and row to the odd ones, and one for the product.
+// One pixel after the other goes through one set of planes. Multipliers of the RTL: two for each plane of s, t, q, one
+// in the reciprocal, two with it; a channel three for a bilinear filter, which steps from the even column and row to
+// the odd ones, and one for the product.
+//
+// Interval: a cycle a covered lane; one for a stamp of background.
 #ifndef HALFSPACE_HLS_TEXTURE_SHADE_TEXTURE_HPP_
 #define HALFSPACE_HLS_TEXTURE_SHADE_TEXTURE_HPP_
 

@@ -2,7 +2,8 @@
 // The planes of the texture coordinates of a triangle, for TdbS: s and t, and with perspective q. The coordinates are
 // channels as depths and colours are, unsigned and of b bits, and so their planes have the widths and the bounds of
 // those. Every triangle that has attributes, and is not empty, has a word of coordinates, also one without a texture.
-// Interval of the RTL: that of shade_setup with perspective, less a plane without.
+//
+// Interval of the RTL: that of shade_setup; affine two thirds of it.
 #ifndef HALFSPACE_HLS_TEXTURE_TEXTURE_SETUP_HPP_
 #define HALFSPACE_HLS_TEXTURE_TEXTURE_SETUP_HPP_
 

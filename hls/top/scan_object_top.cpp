@@ -19,6 +19,5 @@ extern "C" void scan_object_top(MemoryWord<DepthStamp> depth_buffer[DepthBuffer<
   View<ObjectPixel> object_pixel_words(object_pixel);
   DepthBuffer<F> depth_buffer_view = {Words<DepthStamp<F>>(depth_buffer)};
   ObjectTable<F> objects_view = {Words<ObjectEntry<F>>(objects)};
-Words:
-  while (!scan_object(scan_words, depth_buffer_view, objects_view, object_pixel_words)) {}
+  scan_object_frame(scan_words, depth_buffer_view, objects_view, object_pixel_words);
 }

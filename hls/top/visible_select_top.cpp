@@ -19,5 +19,7 @@ extern "C" void visible_select_top(Port<Attributes>& attributes, Port<Visible>& 
   View<Visible> visible_words(visible);
   View<Attributes> passed_words(passed);
 Words:
-  while (!visible_select(attributes_words, tested_words, visible_words, passed_words)) {}
+  while (!visible_select(attributes_words, tested_words, visible_words, passed_words)) {
+    HS_PIPELINE(1)
+  }
 }

@@ -4,7 +4,8 @@
 // word, and answers a visible one with its normals.
 //
 // A triangle is dropped for good: its index may be given to another one, as soon as geometry has its word.
-// A word a cycle.
+//
+// Interval: a triangle a cycle.
 #ifndef HALFSPACE_HLS_ZTEST_VISIBLE_SELECT_HPP_
 #define HALFSPACE_HLS_ZTEST_VISIBLE_SELECT_HPP_
 

@@ -5,7 +5,8 @@
 // A fragment passes when its depth is less than the stored one; the first drawn wins a tie. A pixel of index 0 has
 // nothing stored and counts as farthest, 2^b − 1, whatever its depth word holds: clearing the I-buffer clears both.
 // Without depth all lie equally far, so a fragment passes where the index is 0.
-// A stamp a cycle.
+//
+// Interval: a stamp a cycle.
 #ifndef HALFSPACE_HLS_ZTEST_ZTEST_INDEX_HPP_
 #define HALFSPACE_HLS_ZTEST_ZTEST_INDEX_HPP_
 

@@ -15,8 +15,8 @@
 // g' the fraction bits that are left; an order of two triangles nearer than that can turn round, and differs from type
 // δ's.
 //
-// A cycle for each different triangle stored in the covered lanes of a stamp, one if there is none, and one a triangle
-// for C.
+// Interval: a cycle for each different triangle stored in the covered lanes of a stamp, one if there is none, and one a
+// triangle for C.
 #ifndef HALFSPACE_HLS_ZTEST_ZTEST_PLANE_HPP_
 #define HALFSPACE_HLS_ZTEST_ZTEST_PLANE_HPP_
 
