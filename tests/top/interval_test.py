@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """What docs/port.md tells to expect of each kernel: its interval is that of the kernel's head; a loop that has one of a
-cycle is pipelined at 1; and multipliers are those of docs/area.md where that has the unit. Usage: interval_test.py ROOT"""
+cycle is pipelined at 1; and multipliers are those of docs/area.md where that has the unit.
+Usage: interval_test.py ROOT"""
 import pathlib
 import re
 import sys
