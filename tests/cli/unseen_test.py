@@ -81,6 +81,19 @@ class Unseen(unittest.TestCase):
             done = self.good("report", f"{name}.gltf", "--time", time, "--size", "32x32", "--out", "report")
             self.assertIn(words, done.stderr)
         self.assertEqual(self.good("render", "leave.gltf", "--size", "32x32").stderr, "")
+        both = self.good("render", "culling.gltf", "--size", "32x32", "--two-sided", "--dump", "both")
+        self.assertEqual(both.stderr, "")
+        self.assertEqual(len(self.colours("both")), 2)
+
+    def test_a_view_without_a_camera_sees_all_times(self):
+        away = json.loads(scene())
+        away["nodes"][1] = {"translation": [0, 0, 5]}
+        del away["cameras"]
+        (self.folder / "framed.gltf").write_text(json.dumps(away))
+        for time in (0, 0.5, 1):
+            done = self.good("render", "framed.gltf", "--time", time, "--size", "64x64", "--json", "x.json")
+            self.assertNotIn("nothing is in view", done.stderr)
+            self.assertGreater(json.loads((self.folder / "x.json").read_text())["covered_pixels"], 50, time)
 
     def test_films_go_on_without_triangles(self):
         for engine in ("ref", "hls"):
@@ -100,6 +113,8 @@ class Unseen(unittest.TestCase):
             self.assertNotIn("null", (self.folder / "q.json").read_text())
         away = ("leave.gltf", "--first", "20", "--size", "48x48")
         self.assertNotRegex(self.good("quality", *away).stdout, r"\bnan\b")
+        tiny = self.good("quality", "cube_fast", "--frames", "15", "--size", "8x8")
+        self.assertRegex(tiny.stdout, r"ffmpeg minterpolate +not measured: .*ffmpeg")
         self.assertRegex(self.good("cost", *away, status=1).stderr, r"^halfspace: leave.gltf: .*--first")
 
     def test_vectors_and_the_rtl_have_the_frame(self):
