@@ -184,7 +184,7 @@ void add_bounds(CLI::App& app, int& status) {
       ->capture_default_str()
       ->check(CLI::Range(0, 10000000));
   command->add_option("--seed", options->measure.seed, "of the triangles")->capture_default_str();
-  command->add_option("--gappa", options->gappa, "folder for the proofs as Gappa scripts");
+  add_output_folder(command, "--gappa", options->gappa, "folder for the proofs as Gappa scripts");
   command->add_flag("--markdown", options->markdown, "the tables in Markdown");
   command->add_flag("--verbose", options->verbose, "the worst triangles as .tri files as well");
   add_json(command, options->json);

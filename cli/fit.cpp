@@ -188,6 +188,12 @@ void fit(const FitOptions& options) {
   if (!options.output.empty()) output.emplace(options.output);
   const FitScene scene = load_frames(options.input);
   const model::Requirements needed = model::requirements(scene);
+  if (needed.triangles == 0) {
+    throw ref::Error(
+        fmt::format("{}: nothing of it is in the frames that are looked at: choose others by --frames, or "
+                    "another camera",
+                    scene.name));
+  }
   print(needed, scene);
   const std::string name = options.output.empty() ? name_of(scene.name) : name_of(options.output);
   Progress progress("fit " + scene.name + ": configurations tried");
@@ -275,7 +281,7 @@ void add_fit(CLI::App& app, int&) {
                     "it saves cycles");
   command->add_option("--lanes", options->lanes, "pixels a cycle; default: the fewest");
   add_output_file(command, "-o,--output", options->output, "configuration to write");
-  command->add_option("--work", options->work, "folder for the bench and the vectors; default: fit_NAME");
+  add_output_folder(command, "--work", options->work, "folder for the bench and the vectors; default: fit_NAME");
   command->add_flag("--cosim,!--no-cosim", options->cosim, "co-simulate the RTL of what is found");
   command->add_option("--area", options->area, "targets for Yosys: xilinx,ecp5,ice40, all, or none")
       ->capture_default_str();

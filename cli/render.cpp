@@ -241,8 +241,8 @@ void add_render(CLI::App& app, int&) {
       ->check(CLI::IsMember({"affine", "perspective"}))
       ->capture_default_str();
   add_output_file(command, "-o,--output", options->output, "picture to write; the ending chooses the format");
-  command->add_option("--dump", options->dump,
-                      "folder for index.u32, depth.u32, colour.rgba8 (little endian, row 0 on top) and triangles.tri");
+  add_output_folder(command, "--dump", options->dump,
+                    "folder for index.u32, depth.u32, colour.rgba8 (little endian, row 0 on top) and triangles.tri");
   add_json(command, options->json);
   command->callback([options] { render(*options); });
 }

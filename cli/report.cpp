@@ -199,7 +199,7 @@ void add_report(CLI::App& app, int& status) {
   command->footer(
       "  halfspace report teapot --config low --size 320x200 --out report    pictures of both, and errors by stage\n");
   add_scene_options(command, options->input);
-  command->add_option("--out", options->out, "folder for the pictures")->required();
+  add_output_folder(command, "--out", options->out, "folder for the pictures")->required();
   command->add_option("--cosim", options->cosim, "JSON that tb_pipeline wrote");
   command->add_option("--units", options->units, "JSON that the benches of units wrote, a file each");
   command->add_option("--rtl-frame", options->rtl_frame, "RGBA frame that tb_pipeline wrote");

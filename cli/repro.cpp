@@ -280,7 +280,7 @@ void add_repro(CLI::App& app, int&) {
     auto options = std::make_shared<ReproOptions>();
     CLI::App* paper = command->add_subcommand(name, what);
     paper->add_option("SCENE", options->scenes, "built-in scenes or mesh files; default: polyhedron teapot castle");
-    paper->add_option("--out", options->out, "folder for the plots");
+    add_output_folder(paper, "--out", options->out, "folder for the plots");
     add_json(paper, options->json);
     paper->callback([options, run] {
       if (options->scenes.empty()) options->scenes = kScenes;

@@ -210,7 +210,7 @@ void add_stability(CLI::App& app, int&) {
       ->capture_default_str()
       ->check(CLI::Range(0, 60));
   command->add_option("--seed", options->study.seed, "of the triangles")->capture_default_str();
-  command->add_option("--out", options->out, "folder for stability.csv, .json and two pictures");
+  add_output_folder(command, "--out", options->out, "folder for stability.csv, .json and two pictures");
   add_json(command, options->json);
   command->callback([options] { study_stability(*options); });
 }

@@ -8,6 +8,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/common/numbers.hpp"
+#include "cli/common/output.hpp"
 #include "cli/common/scene_source.hpp"
 #include "cli/sweep/sweep_measure.hpp"
 #include "cli/sweep/sweep_plots.hpp"
@@ -108,7 +109,7 @@ void add_sweep(CLI::App& app, int& status) {
   command->add_flag("--named,!--no-named", input.choice.named,
                     "low, middle and high as well, in the base's frame, range and lanes");
   command->add_option("--area", input.area, "targets for Yosys: xilinx,ecp5,ice40, or none")->capture_default_str();
-  command->add_option("--out", input.out, "folder to write")->capture_default_str();
+  add_output_folder(command, "--out", input.out, "folder to write")->capture_default_str();
   command->add_option("--jobs", options->jobs, "points at a time")->capture_default_str()->check(CLI::Range(1, 256));
   auto* list = command->add_flag("--list", options->list, "print the points and stop");
   auto* point =

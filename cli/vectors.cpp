@@ -199,7 +199,7 @@ void add_vectors(CLI::App& app, int&) {
       "given. Each stream is a text file that $readmemh reads; manifest.json tells the fields.\n");
   add_scene_options(command, options->input);
   command->add_option("--lanes", options->lanes, "pixels a stamp: 1, 2, 4, 8, 16; default: the configuration's");
-  command->add_option("--out", options->out, "folder to write")->required();
+  add_output_folder(command, "--out", options->out, "folder to write")->required();
   command->add_option("--seed", options->seed, "of the random frames")->capture_default_str();
   command->add_flag("--corners,!--no-corners", options->corners, "corner cases and random frames before the scene");
   command->add_option("--random", options->random, "random frames")->capture_default_str()->check(zero_or_more());

@@ -80,6 +80,12 @@ fs::path parent_of(const fs::path& path) {
   return parent.empty() ? "." : parent;
 }
 
+// Without "." and a slash at the end.
+fs::path plain(const std::string& folder) {
+  const fs::path path = fs::path(folder).lexically_normal();
+  return path.has_filename() ? path : path.parent_path();
+}
+
 void need_folder(const std::string& name, const fs::path& folder, const char* what) {
   std::error_code error;
   if (fs::is_directory(folder, error)) return;
@@ -109,20 +115,25 @@ void give_standard_output_to_files() {
   dup2(STDERR_FILENO, STDOUT_FILENO);
 }
 
-bool make_folder(const std::string& folder) {
-  fs::path path = fs::path(folder).lexically_normal();
-  if (!path.has_filename()) path = path.parent_path();  // "a/"
+void check_folder(const std::string& folder) {
+  const fs::path path = plain(folder);
   std::error_code error;
-  if (path.empty() || fs::is_directory(path, error)) return false;
+  if (path.empty() || fs::is_directory(path, error)) return;
+  if (fs::exists(path, error)) throw ref::Error(fmt::format("{}: it is a file: name a folder", folder));
   need_folder(folder, parent_of(path), "one");
   if (fs::equivalent(parent_of(path), "/", error))
-    throw ref::Error(
-        fmt::format("{}: there is no such folder, and none is made at the root of the disk: make it, or "
-                    "name another",
-                    folder));
+    throw ref::Error(fmt::format(
+        "{}: there is no such folder, and none is made at the root of the disk: make it, or name another", folder));
+}
+
+bool make_folder(const std::string& folder) {
+  check_folder(folder);
+  const fs::path path = plain(folder);
+  std::error_code error;
+  if (path.empty() || fs::is_directory(path, error)) return false;
   if (!fs::create_directory(path, error) && !fs::is_directory(path)) {
-    throw ref::Error(fmt::format("{}: cannot make this folder ({}): name one that you may write to", folder,
-                                 error ? error.message() : "it is a file"));
+    throw ref::Error(
+        fmt::format("{}: cannot make this folder ({}): name one that you may write to", folder, error.message()));
   }
   return true;
 }

@@ -18,6 +18,8 @@ bool is_standard_output(const std::string& path);
 // From now on what is printed goes to standard error, and standard output has the files of that name alone.
 void give_standard_output_to_files();
 
+// Throws ref::Error where make_folder() would, as far as that can be seen.
+void check_folder(const std::string& folder);
 // Makes the folder if its parent is there and is not the root of the disk; a folder that is there stays as it is.
 // Returns whether it was made. Throws ref::Error.
 bool make_folder(const std::string& folder);

@@ -141,7 +141,7 @@ void add_repro_frames(CLI::App* repro) {
       ->check(CLI::IsMember(names));
   paper->add_option("--size", options->size, "frame, WxH")->capture_default_str();
   paper->add_option("--frames", options->frames, "of each animation; default: all")->check(above_zero());
-  paper->add_option("--out", options->out, "folder for the plots of blocks");
+  add_output_folder(paper, "--out", options->out, "folder for the plots of blocks");
   add_json(paper, options->json);
   paper->callback([options] { repro_c(*options); });
 }

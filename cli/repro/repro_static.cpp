@@ -192,7 +192,7 @@ void add_repro_static(CLI::App& repro) {
   paper->add_option("--lanes", x.lanes, "of the Z-test and the merge")
       ->capture_default_str()
       ->check(CLI::IsMember({1, 2, 4, 8, 16}));
-  paper->add_option("--out", options->out, "folder for the plot and the last picture");
+  add_output_folder(paper, "--out", options->out, "folder for the plot and the last picture");
   add_json(paper, options->json);
   paper->callback([options] {
     if (!options->out.empty()) model::make_folder(options->out);

@@ -79,7 +79,8 @@ def main():
               ("cube", "120x90", None, ["Z-buffer", "colour planes", "reciprocal"]),
               (str(folder / "tiles.tri"), "160x120", None, ["Z-buffer", "colour planes", "reciprocal"]),
               (str(models / "OBJ/spider.obj"), "200x120", None, []),
-              (str(models / "Collada/box_nested_animation.dae"), "96x96", "0:4", ["Z-buffer"])]
+              (str(models / "Collada/box_nested_animation.dae"), "96x96", "0:4",
+               ["Z-buffer", "colour planes", "reciprocal"])]
     for scene, size, frames, gone in scenes:
         stem = pathlib.Path(scene).stem
         toml, report = folder / f"{stem}.toml", folder / f"{stem}.json"
