@@ -3,8 +3,9 @@
 //
 //   s = floor(log2 D),  R = floor(2^(r+s) / D + 1/2),  D >= 1
 //
-// A stage normalizes D, by 16, 4 or 1 places a cycle; the next divides, a quotient bit a cycle. The
-// division is non-restoring: the signs of its remainders are those of the restoring one.
+// A stage normalizes D, by 16, 4 or 1 places a cycle, or all but one of a short D; the next divides,
+// a quotient bit a cycle. The division is non-restoring: the signs of its remainders are those of
+// the restoring one.
 // Interval: Fraction + 3 cycles. Latency: at most 8 more for the normalization, which
 // runs during the division before. Stall: a quotient stays until taken, a normalized D behind it.
 // Illegal: D = 0.
@@ -29,8 +30,8 @@ module hs_reciprocal #(
 );
   localparam int unsigned AreaBits = hs_formats_pkg::AreaBits;
   localparam int unsigned QuotientBits = ReciprocalBits + 1;  // one more, for the rounding
-  localparam int unsigned Stride = 16;
-  localparam int unsigned Step = 4;
+  localparam int unsigned Stride = AreaBits > 16 ? 16 : AreaBits - 1;
+  localparam int unsigned Step = AreaBits > 4 ? 4 : AreaBits - 1;
 
   // Normalization
   logic area_valid_q, busy_q, done, load, negative;

@@ -55,6 +55,10 @@ halfspace_units_file(tiny 1 ${HALFSPACE_UNITS_low})
 halfspace_cosim_file(pipeline tiny 16)
 halfspace_units_file(wide 8 ${HALFSPACE_UNITS_low})
 halfspace_cosim_file(pipeline wide 1)
+# The shortest area and the fewest indices; a reciprocal that two factors of 18 bits do not hold.
+halfspace_units_file(micro 1 ${HALFSPACE_UNITS_low})
+halfspace_cosim_file(pipeline micro 4)
+halfspace_units_file(long_reciprocal 1 ${HALFSPACE_UNITS_low})
 # A frame of 3104 triangles with 2500 indices.
 halfspace_cosim_file(pipeline reuse 4)
 halfspace_cosim(pipeline_reuse_castle pipeline reuse 4 castle SEEDS 3 VECTORS --window 64 --random 1)

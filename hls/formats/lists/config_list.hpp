@@ -19,7 +19,7 @@
 
 HS_NUMBER(kBase, width, always, range(1, 8192), kFrameSize, "largest frame, pixels")
 HS_NUMBER(kBase, height, always, range(1, 8192), kFrameSize, "")
-HS_NUMBER(kBase, triangles, always, range(1, 1 << 22), kTriangles, "a frame")
+HS_NUMBER(kBase, triangles, always, range(2, 1 << 22), kTriangles, "a frame")
 HS_NUMBER(kBase, range_bits, always, range(1, 20), kFrameOutsideRange,
           "vertices lie within ±2^(range_bits−1) pixels: the guard band")
 HS_NUMBER(kBase, subpixel_bits, always, range(1, 12), kSubpixelBits, "f: fraction bits of a vertex position")
