@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace halfspace::ref::gltf {
 namespace {
@@ -147,6 +149,11 @@ Surface Materials::read(const tinygltf::Material& source) {
   if (!material.unlit) material.emission = emission(source, &material, &surface);
   if (material.texture >= 0 && !is_black(material.diffuse) && !is_black(material.emission)) {
     file_.remark("what a textured material emits is multiplied by its texture");
+  }
+  const int other_maps[] = {source.normalTexture.index, source.occlusionTexture.index,
+                            source.pbrMetallicRoughness.metallicRoughnessTexture.index};
+  if (std::any_of(std::begin(other_maps), std::end(other_maps), [](int map) { return map >= 0; })) {
+    file_.remark("maps of normals, occlusion, metal and roughness are left out");
   }
   read_alpha(source, base.a, info.index >= 0, &surface);
   surface.material = int(file_.document.materials.size());

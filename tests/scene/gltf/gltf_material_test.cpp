@@ -57,6 +57,14 @@ TEST(GltfMaterials, EmissionIsFactorTimesMap) {
   EXPECT_TRUE(document.remarks.empty());
 }
 
+TEST(GltfMaterials, OtherMapsAreSaidToBeLeftOut) {
+  GltfFile file;
+  file.add_picture();
+  file.material()["normalTexture"]["index"] = 0;
+  EXPECT_EQ(file.read().remarks,
+            std::vector<std::string>{"maps of normals, occlusion, metal and roughness are left out"});
+}
+
 TEST(GltfMaterials, AlphaIsDrawnOpaqueWithAWord) {
   const auto remarks = [](const char* mode, double alpha, bool textured) {
     GltfFile file = textured ? textured_file() : GltfFile();
