@@ -135,16 +135,16 @@ def main():
     report, config = folder / "sides.json", folder / "sides.toml"
     sides = {}
     for views in (1, 3):
-        run(halfspace, "fit", "ring", "--size", "96x72", "--psnr", 40, "--views", views, "--area", "none", "--no-cosim",
+        run(halfspace, "fit", "teapot", "--size", "96x72", "--psnr", 40, "--views", views, "--area", "none", "--no-cosim",
             "-o", config, "--json", report, "--work", folder / "x")
         sides[views] = json.loads(report.read_text())
         assert (sides[views]["views"], sides[views]["frames"]) == (views, views), sides[views]
-        assert second_look(halfspace, "ring", "96x72", [0], config, folder) >= 40 - 0.3
-    for key in ("overlapping_pixels", "triangles"):
-        assert sides[3]["requires"][key] > sides[1]["requires"][key], key
+        assert second_look(halfspace, "teapot", "96x72", [0], config, folder) >= 40 - 0.3
+    assert sides[3]["requires"]["overlapping_pixels"] > 2 * sides[1]["requires"]["overlapping_pixels"]
     assert sides[3]["requires"]["motion_pixels_a_frame"] == 0
-    bits = [sides[views]["configuration"]["depth_bits"] for views in (1, 3)]
-    assert bits[0] < bits[1], f"depth_bits {bits} from one side and from three"
+    bits = [[sides[views]["configuration"][key] for key in ("depth_bits", "subpixel_bits", "colour_bits")]
+            for views in (1, 3)]
+    assert bits[0] < bits[1] and all(a <= b for a, b in zip(*bits)), f"{bits} from one side and from three"
 
     out = subprocess.run([halfspace, "fit", "teapot", "--size", "160x120", "--psnr", "99", "--work", str(folder / "x")],
                          capture_output=True, text=True)
