@@ -102,6 +102,7 @@ void rotate(T (&pixel)[N][N], int by_columns, int by_rows) {
 From:
   for (int j = 0; j < N; ++j) {
     HS_UNROLL
+  FromColumn:
     for (int i = 0; i < N; ++i) {
       HS_UNROLL
       turned[j][i] = pixel[(j + by_rows) & (N - 1)][(i + by_columns) & (N - 1)];
@@ -110,6 +111,7 @@ From:
 To:
   for (int j = 0; j < N; ++j) {
     HS_UNROLL
+  ToColumn:
     for (int i = 0; i < N; ++i) {
       HS_UNROLL
       pixel[j][i] = turned[j][i];

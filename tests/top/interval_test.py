@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """What docs/port.md tells to expect of each kernel: its interval is that of the kernel's head; a loop that has one of a
-cycle is pipelined at 1; and multipliers are those of docs/area.md where that has the unit.
+cycle is pipelined at 1; and multipliers are those of docs/area.md where that has the unit. A loop of hls/ that has a
+directive has a label, by which Catapult's directives name it.
 Usage: interval_test.py ROOT"""
 import pathlib
 import re
@@ -10,6 +11,7 @@ import sys
 # Tops that share a kernel with another one.
 OTHERS = {"raster_pineda_plane", "shade_setup_lit"}
 ROW = re.compile(r"^\| `(\w+)` \| ([^|]+) \| ([^|]+) \| ([^|]+) \|$", re.M)
+LOOP = re.compile(r"^(.*)(?=\n *(?:HS_\w+ )?(?:for|while) \(.*\n *HS_(?:PIPELINE|UNROLL)\b)", re.M)
 INTERVAL = re.compile(r"^// Interval( of the RTL)?: ((?:.*\n)(?://  ?\S.*\n)*)#ifndef", re.M)
 
 
@@ -22,6 +24,12 @@ def said(head):
     """Of a kernel's head: the interval, and whether it is of the RTL alone."""
     found = INTERVAL.search(head)
     return (re.sub(r"\s*\n(// )?", " ", found[2]).strip().removesuffix("."), bool(found[1])) if found else ("", False)
+
+
+def without_label(name, text):
+    for found in LOOP.finditer(text):
+        if not re.fullmatch(r" *\w+:", found[1]):
+            yield f"{name}:{text.count(chr(10), 0, found.start(1)) + 2}: a loop with a directive, and without a label"
 
 
 def dsp_of(area, unit):
@@ -63,6 +71,8 @@ def prove_that_it_fails():
                  (["a", "b"], KERNELS, PAGE.replace(" (RTL)", ""), AREA),
                  (["a", "b"], KERNELS, PAGE, AREA.replace("| 2 |", "| 3 |"))):
         assert list(faults(*case)), case
+    assert not list(without_label("a", "Lanes:\n  for (;;) {\n    HS_UNROLL\n"))
+    assert list(without_label("a", "Lanes:\n  for (;;) {\n    HS_UNROLL\n    for (;;) {\n      HS_UNROLL\n"))
 
 
 def main():
@@ -70,12 +80,13 @@ def main():
     prove_that_it_fails()
     tops = [name for name in re.findall(r"^(\w+)", (root / "hls/top/tops.txt").read_text(), re.M)
             if (root / f"hls/top/{name}_top.cpp").exists()]  # composed ones are in a folder of their own
-    kernels = {}
-    for path in (root / "hls").glob("*/*.hpp"):
+    kernels, found = {}, []
+    for path in sorted((root / "hls").glob("*/*.hpp")):
+        found += without_label(path.relative_to(root), path.read_text())
         top = root / f"hls/top/{path.stem}_top.cpp"
         if top.exists():
             kernels[path.stem] = path.read_text(), path.read_text() + top.read_text()
-    found = list(faults(tops, kernels, (root / "docs/port.md").read_text(), (root / "docs/area.md").read_text()))
+    found += list(faults(tops, kernels, (root / "docs/port.md").read_text(), (root / "docs/area.md").read_text()))
     print("\n".join(found) or f"intervals: {len(kernels)} kernels")
     return 1 if found else 0
 
