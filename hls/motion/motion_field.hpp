@@ -100,11 +100,9 @@ Motion<F> motion_pixel(const MotionPlanes<F>& planes, int x, int y) {
   out.x = from_raw<typename F::X>(x);
   out.y = from_raw<typename F::Y>(y);
   out.face = planes.face;
-Keys:
-  for (int k = 0; k < kKeys; ++k) {
-    HS_UNROLL
-    out.key[k] = key_vector<F>(planes.key[k], x, y);
-  }
+  static_assert(kKeys == 2, "one after the other: of a loop Bambu makes memories");
+  out.key[0] = key_vector<F>(planes.key[0], x, y);
+  out.key[1] = key_vector<F>(planes.key[1], x, y);
   return out;
 }
 
