@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <numeric>
-#include <unordered_map>
 
 namespace halfspace::ref {
 namespace {
@@ -26,12 +27,39 @@ double angle_at(const Mesh& mesh, const std::array<std::uint32_t, 3>& corner, in
   return lengths > 0 ? std::acos(std::clamp(glm::dot(a, b) / lengths, -1.0, 1.0)) : 0;
 }
 
-struct HashPlace {
-  std::size_t operator()(const glm::dvec3& p) const {
-    const std::hash<double> hash;
-    return (hash(p.x) * 31 + hash(p.y)) * 31 + hash(p.z);
+std::uint64_t hash_of(const glm::dvec3& p) {
+  std::uint64_t hash = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double value = p[i] + 0.0;  // -0 is 0
+    std::uint64_t bits;
+    std::memcpy(&bits, &value, sizeof bits);
+    hash = (hash ^ bits) * 0x9E3779B97F4A7C15u;
+    hash ^= hash >> 32;
   }
-};
+  return hash;
+}
+
+// The number of each point's place: points at one place have one. How many places there are comes behind.
+std::vector<std::uint32_t> numbers_of_places(const std::vector<glm::dvec3>& points) {
+  constexpr std::uint32_t kNone = 0xFFFFFFFF;
+  std::size_t size = 16;
+  while (size < 2 * points.size()) size *= 2;
+  std::vector<std::uint32_t> first(size, kNone), numbers;  // first: a point at the place, by its hash
+  numbers.reserve(points.size() + 1);
+  std::uint32_t places = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    std::size_t slot = hash_of(points[i]) & (size - 1);
+    while (first[slot] != kNone && points[first[slot]] != points[i]) slot = (slot + 1) & (size - 1);
+    if (first[slot] == kNone) {
+      first[slot] = std::uint32_t(i);
+      numbers.push_back(places++);
+    } else {
+      numbers.push_back(numbers[first[slot]]);
+    }
+  }
+  numbers.push_back(places);
+  return numbers;
+}
 
 template <class T>
 void gather(const std::vector<std::uint32_t>& from, std::vector<T>* values) {
@@ -53,6 +81,7 @@ glm::dmat3 normal_matrix(const glm::dmat4& to_world) {
 void split_vertices(DocumentMesh* source) {
   Mesh& mesh = source->mesh;
   std::vector<std::uint32_t> from;
+  from.reserve(3 * mesh.triangles.size());
   for (auto& corner : mesh.triangles) {
     for (std::uint32_t& i : corner) {
       from.push_back(i);
@@ -86,18 +115,17 @@ void make_flat(Mesh* mesh) {
   mend_normals(mesh);
 }
 
-void make_smooth(Mesh* mesh, double crease_degrees) {
+void make_smooth(DocumentMesh* source, double crease_degrees) {
   const double least = std::cos(crease_degrees * std::acos(-1.0) / 180);
+  Mesh* const mesh = &source->mesh;
+  const std::vector<std::uint32_t> numbers = numbers_of_places(mesh->positions);
   // The corners at each place, one place after the other.
-  std::unordered_map<glm::dvec3, std::uint32_t, HashPlace> places;
-  places.reserve(mesh->triangles.size());
-  std::vector<std::uint32_t> place_of, first{0};
+  std::vector<std::uint32_t> place_of, first(numbers.back() + 1, 0);
+  place_of.reserve(3 * mesh->triangles.size());
   for (const auto& corner : mesh->triangles) {
-    for (const std::uint32_t i : corner) {
-      place_of.push_back(places.emplace(mesh->positions[i], std::uint32_t(places.size())).first->second);
-    }
+    for (const std::uint32_t i : corner) place_of.push_back(numbers[i]);
   }
-  first.assign(places.size() + 1, 0);
+  split_vertices(source);
   for (const std::uint32_t place : place_of) ++first[place + 1];
   std::partial_sum(first.begin(), first.end(), first.begin());
   struct Meeting {
@@ -107,6 +135,7 @@ void make_smooth(Mesh* mesh, double crease_degrees) {
   std::vector<Meeting> meetings(place_of.size());
   std::vector<std::uint32_t> next = first;
   std::vector<glm::dvec3> of_face;
+  of_face.reserve(mesh->triangles.size());
   for (std::size_t t = 0; t < mesh->triangles.size(); ++t) {
     of_face.push_back(face_normal(*mesh, mesh->triangles[t]));
     for (int v = 0; v < 3; ++v)

@@ -20,8 +20,8 @@ void make_flat(Mesh*);
 
 // Normals of a mesh that has none. A corner has the mean of the normals of the faces that meet at its place, weighted
 // by their angles there; a face that is turned by more than the crease from its own counts for nothing. The vertices
-// have been split.
-void make_smooth(Mesh*, double crease_degrees);
+// are split.
+void make_smooth(DocumentMesh*, double crease_degrees);
 
 // A normal that is zero or NaN becomes that of a face at the vertex; all have length 1 then.
 void mend_normals(Mesh*);

@@ -84,6 +84,34 @@ TEST(OtherFormats, ByteOrderMarksArePassedOver) {
   }
 }
 
+TEST(OtherFormats, TextsOf16BitsAreRead) {
+  for (const char* name : {"ASE/ThreeCubesGreen_UTF16BE.ASE", "ASE/ThreeCubesGreen_UTF16LE.ASE"})
+    EXPECT_EQ(triangles(load_scene(HALFSPACE_TESTMODELS "/" + std::string(name))), 36u) << name;
+  std::string wide = "\xFF\xFE";
+  const std::u16string text = u"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n# \u00FC \U0001F34C\n";
+  for (const char16_t c : text) wide += {char(c & 0xFF), char(c >> 8)};
+  const TemporaryFile file("wide.obj", wide);
+  EXPECT_EQ(triangles(load_scene(file.path())), 1u);
+}
+
+TEST(OtherFormats, CamerasOfLightWaveSeeTheirScene) {
+  const Scene scene = load_scene(HALFSPACE_TESTMODELS "/LWS/move_x.lws");
+  ASSERT_TRUE(scene.camera);
+  EXPECT_EQ(scene.camera->forward, glm::dvec3(0, 0, -1));
+  EXPECT_GT(covered(render(snapped(scene))), 100u);
+}
+
+// A sphere in LightWave, whose texture is laid by a sphere and has no coordinates.
+TEST(OtherFormats, ProjectedTexturesGetCoordinates) {
+  const Scene scene = textured(HALFSPACE_TESTMODELS "/LWO/LWO2/MappingModes/earth_spherical_y.lwo");
+  EXPECT_EQ(only_mesh(scene).texture_coordinates.size(), only_mesh(scene).positions.size());
+  double least = 1e9, most = -1e9;
+  for (const glm::dvec2& uv : only_mesh(scene).texture_coordinates)
+    least = std::min(least, uv.y), most = std::max(most, uv.y);
+  EXPECT_LT(least, 0.1);
+  EXPECT_GT(most, 0.9);
+}
+
 TEST(OtherFormats, LinesAndPointsAreLeftOutWithTheirCount) {
   const Scene scene = load_scene(kOther + "obj_two_vertices.obj");
   EXPECT_TRUE(has(scene, "1 line is left out"));
@@ -242,6 +270,20 @@ TEST(OtherFormats, MapsLieAsTheLibrarySays) {
   std::filesystem::remove(TempDir() + "my tex.png");
 }
 
+// Assimp takes a line of libraries for one name, with the spaces behind it.
+TEST(OtherFormats, LinesOfMaterialLibrariesNameFiles) {
+  const TemporaryFile a("a.mtl", "newmtl a\nKd 1 0 0\n"), b("b.mtl", "newmtl b b\nKd 0 1 0\n");
+  const std::string face = "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl b b \nf 1 2 3\n";
+  for (const char* line : {"mtllib halfspace_ref_b.mtl  \n", "mtllib halfspace_ref_a.mtl halfspace_ref_b.mtl\n"}) {
+    const TemporaryFile obj("libraries.obj", line + face);
+    const Scene scene = load_scene(obj.path());
+    EXPECT_EQ(scene.materials[only_mesh(scene).material].diffuse, glm::dvec3(0, 1, 0)) << line;
+    EXPECT_TRUE(scene.remarks.empty()) << line;
+  }
+  const TemporaryFile obj("libraries.obj", "mtllib halfspace_ref_a.mtl\n" + face);
+  EXPECT_TRUE(has(load_scene(obj.path()), "1 material is in no library, and is drawn grey"));
+}
+
 TEST(OtherFormats, MaterialLibrariesThatAreNotThereAreSaid) {
   const TemporaryFile obj("grey.obj", "mtllib no such.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n");
   const Scene scene = load_scene(obj.path());
@@ -294,6 +336,28 @@ TEST(OtherFormats, FacesOfAPlyHaveTheCornersThatTheySay) {
     const TemporaryFile file("bad.ply", head + rest);
     expect_in(part, refusal([&, path = file.path()] { load_scene(path); }));
   }
+}
+
+TEST(OtherFormats, FacesOfAnOffHaveTheCornersThatTheySay) {
+  const std::string head = "OFF\n3 1 0\n-1 -1 0\n1 -1 0\n0 1 0\n";
+  for (const auto& [rest, part] : std::vector<std::pair<std::string, std::string>>{
+           {"5 0 1 2\n", "face 0 (line 6) says that it has 5 corners, and has 3"},
+           {"3 0 1 7\n", "face 0 (line 6) has the index '7', and there are 3 vertices"},
+           {"3 0 1 -1\n", "face 0 (line 6) has the index '-1'"},
+           {"3 0 1 x\n", "face 0 (line 6) has the index 'x'"},
+           {"10 0 1 2 0 1 2 0 1 2 0\n", "face 0 (line 6) has 10 corners, and its reader takes 9"},
+           {"0\n3 0 1 2\n", "face 0 (line 6) does not say how many corners it has"}}) {
+    const TemporaryFile file("bad.off", head + rest);
+    expect_in(part, refusal([&, path = file.path()] { load_scene(path); }));
+  }
+  const TemporaryFile counts("counts.off", "OFF\n3 1\n-1 -1 0\n1 -1 0\n0 1 0\n3 0 1 2\n");
+  expect_in("line 2 does not have the numbers of vertices, faces and edges",
+            refusal([&] { load_scene(counts.path()); }));
+  const TemporaryFile colours("colours.off",
+                              "COFF\n3 1 0\n-1 -1 0 255 0 0 255\n1 -1 0 255 51 0 255\n0 1 0 0 0 255 255\n"
+                              "3 0 1 2\n");
+  const Scene scene = load_scene(colours.path());
+  EXPECT_LT(glm::distance(only_mesh(scene).colours.at(1), glm::dvec3(1, 0.2, 0)), 1e-6);
 }
 
 TEST(OtherFormats, BonesAndCamerasAreNoMeshes) {

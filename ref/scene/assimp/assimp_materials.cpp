@@ -17,7 +17,6 @@ namespace {
 struct Map {
   std::string file;  // empty: none
   TexturePlace place;
-  bool is_projected = false;
 };
 
 struct UndrawnMap {
@@ -74,12 +73,10 @@ glm::dmat3 matrix_of(const aiUVTransform& t) {
 Map map_of(const aiMaterial& source, aiTextureType type) {
   Map map;
   aiString file;
-  aiTextureMapping mapping = aiTextureMapping_UV;
   unsigned coordinates = 0;
   aiTextureMapMode modes[3] = {aiTextureMapMode_Wrap, aiTextureMapMode_Wrap, aiTextureMapMode_Wrap};
-  if (source.GetTexture(type, 0, &file, &mapping, &coordinates, nullptr, nullptr, modes) != AI_SUCCESS) return map;
+  if (source.GetTexture(type, 0, &file, nullptr, &coordinates, nullptr, nullptr, modes) != AI_SUCCESS) return map;
   map.file = file.C_Str();
-  map.is_projected = mapping != aiTextureMapping_UV && mapping != aiTextureMapping_OTHER;
   map.place.coordinates = coordinates;
   map.place.repeats = modes[0] == aiTextureMapMode_Wrap && modes[1] == aiTextureMapMode_Wrap;
   aiUVTransform transform;
@@ -122,7 +119,6 @@ class Materials {
 
   void take(const Map& base, Material* material) {
     material->texture = textures_.in_document(base.file);
-    if (base.is_projected) remark("textures that are projected, and have no coordinates, are left out");
     if (!is_black(material->diffuse) && !is_black(material->emission)) {
       remark("what a textured material emits is multiplied by its texture");
     }
@@ -179,13 +175,20 @@ std::vector<TexturePlace> add_materials(const aiScene& file, const std::map<std:
     if (file.mMeshes[i]->mMaterialIndex < file.mNumMaterials) is_used[file.mMeshes[i]->mMaterialIndex] = true;
   }
   Materials materials(file, choice, document);
+  std::size_t without_library = 0;
   std::vector<TexturePlace> places;
   for (unsigned i = 0; i < file.mNumMaterials; ++i) {
     const aiMaterial& source = *file.mMaterials[i];
     aiString name;
     source.Get(AI_MATKEY_NAME, name);
     const auto of_library = mtl.find(name.C_Str());
+    without_library +=
+        is_used[i] && !mtl.empty() && of_library == mtl.end() && name != aiString(AI_DEFAULT_MATERIAL_NAME);
     places.push_back(materials.add(source, of_library == mtl.end() ? nullptr : &of_library->second, is_used[i] != 0));
+  }
+  if (without_library == 1) document->remarks.emplace_back("1 material is in no library, and is drawn grey");
+  if (without_library > 1) {
+    document->remarks.push_back(fmt::format("{} materials are in no library, and are drawn grey", without_library));
   }
   return places;
 }

@@ -22,16 +22,18 @@ bool is_none(const aiColor4D& c) {
   return (c.r == 0 && c.g == 0 && c.b == 0 && c.a == 0) || c.r < 0 || c.g < 0 || c.b < 0 || c.a < 0;
 }
 
-// None where no vertex has one; else white for those without.
-std::vector<glm::dvec3> colours_of(const aiMesh& source, bool* has_alpha) {
+// None where no vertex has one; else white for those without. Those of an OFF file may be of 0-255.
+std::vector<glm::dvec3> colours_of(const aiMesh& source, bool is_off, bool* has_alpha) {
   std::vector<glm::dvec3> colours;
   const aiColor4D* const from = source.mColors[0];
   if (!from || std::all_of(from, from + source.mNumVertices, is_none)) return colours;
+  const auto exceeds = [](const aiColor4D& c) { return std::max({c.r, c.g, c.b}) > 1; };
+  const double full = is_off && std::any_of(from, from + source.mNumVertices, exceeds) ? 255 : 1;
   colours.reserve(source.mNumVertices);
   for (unsigned i = 0; i < source.mNumVertices; ++i) {
     const bool none = is_none(from[i]);
-    *has_alpha = *has_alpha || (!none && from[i].a < 1);
-    colours.push_back(none ? glm::dvec3(1) : glm::clamp(glm::dvec3(from[i].r, from[i].g, from[i].b), 0.0, 1.0));
+    *has_alpha = *has_alpha || (!none && from[i].a < full);
+    colours.push_back(none ? glm::dvec3(1) : glm::clamp(glm::dvec3(from[i].r, from[i].g, from[i].b) / full, 0.0, 1.0));
   }
   return colours;
 }
@@ -117,27 +119,30 @@ double coarseness(const aiMesh& mesh) {
 void add_meshes(const aiScene& file, const NodeNumbers& numbers, const std::vector<TexturePlace>& places,
                 const ReadChoice& choice, Document* document) {
   bool has_alpha = false, leaves = false;
-  std::size_t coarse = 0;
+  std::size_t coarse = 0, without_coordinates = 0;
   for (unsigned i = 0; i < file.mNumMeshes; ++i) {
     const aiMesh& source = *file.mMeshes[i];
     const TexturePlace place = source.mMaterialIndex < places.size() ? places[source.mMaterialIndex] : TexturePlace();
     DocumentMesh mesh;
     mesh.mesh.name = one_line(source.mName.C_Str());
     mesh.mesh.material = int(source.mMaterialIndex);
+    mesh.mesh.positions.reserve(source.mNumVertices);
     for (unsigned v = 0; v < source.mNumVertices; ++v) mesh.mesh.positions.push_back(to_glm(source.mVertices[v]));
     for (unsigned v = 0; v < source.mNumVertices && source.mNormals; ++v)
       mesh.mesh.normals.push_back(to_glm(source.mNormals[v]));
-    mesh.mesh.colours = colours_of(source, &has_alpha);
+    mesh.mesh.colours = colours_of(source, extension_of(document->name) == "off", &has_alpha);
     bool leaves_here = false;
     mesh.mesh.texture_coordinates = coordinates_of(source, place, &leaves_here);
+    const bool has_texture =
+        source.mMaterialIndex < places.size() && document->materials[source.mMaterialIndex].texture >= 0;
+    without_coordinates += has_texture && mesh.mesh.texture_coordinates.empty();
     leaves = leaves || (leaves_here && !place.repeats);
     mesh.mesh.triangles = triangles_of(source, document->name);
     coarse += coarseness(source) > kCoarse;
     if (source.mNumBones != 0) add_skin(source, numbers, &mesh, document);
     if (mesh.mesh.normals.empty()) {
       add_targets(source, &mesh);
-      split_vertices(&mesh);
-      make_smooth(&mesh.mesh, kCreaseDegrees);
+      make_smooth(&mesh, kCreaseDegrees);
     } else {
       mend_normals(&mesh.mesh);
       add_targets(source, &mesh);
@@ -148,6 +153,9 @@ void add_meshes(const aiScene& file, const NodeNumbers& numbers, const std::vect
   if (has_alpha) remarks.emplace_back("vertices that alpha lets shine through are drawn opaque");
   if (leaves && choice.textured)
     remarks.emplace_back("textures that clamp or mirror at their edges are drawn as repeated");
+  if (without_coordinates != 0)
+    remarks.push_back(
+        fmt::format("{} meshes lack the coordinates of their texture: drawn without", without_coordinates));
   if (coarse != 0) {
     remarks.push_back(
         fmt::format("{} mesh{} so far from the origin that its reader (float32) rounds coordinates by more "

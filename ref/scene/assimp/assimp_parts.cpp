@@ -53,6 +53,7 @@ void add_cameras(const aiScene& file, const NodeNumbers& numbers, const Collada&
   for (unsigned i = 0; i < file.mNumCameras; ++i) {
     const aiCamera& source = *file.mCameras[i];
     Camera camera = camera_of(source);
+    if (extension == "lws") camera.forward.z = -camera.forward.z;  // its importer turns all round but this
     std::string node = source.mName.C_Str();
     if (node.rfind(kNamelessNode, 0) == 0) node.clear();
     const auto of_node = collada.cameras.find(node);

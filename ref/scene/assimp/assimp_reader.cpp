@@ -25,6 +25,7 @@
 namespace halfspace::ref {
 namespace {
 
+constexpr char kMapping[] = "$tex.mapping";  // a property of a material
 constexpr unsigned kSteps = aiProcess_ValidateDataStructure | aiProcess_Triangulate;
 
 // Assimp drops faces whose indices are out of range, and tells only its log.
@@ -38,6 +39,24 @@ class DroppedFaces : public Assimp::LogStream {
  private:
   bool* found_;
 };
+
+// Textures that are projected get coordinates: by a sphere, a cylinder or a plane, which Assimp can.
+unsigned projection_step(const aiScene& file) {
+  bool is_projected = false;
+  for (unsigned i = 0; i < file.mNumMaterials; ++i) {
+    const aiMaterial& material = *file.mMaterials[i];
+    for (unsigned p = 0; p < material.mNumProperties; ++p) {
+      const aiMaterialProperty& property = *material.mProperties[p];
+      if (std::strcmp(property.mKey.C_Str(), kMapping) != 0 || property.mDataLength < sizeof(aiTextureMapping))
+        continue;
+      const auto mapping = *reinterpret_cast<const aiTextureMapping*>(property.mData);
+      is_projected = is_projected || mapping == aiTextureMapping_SPHERE || mapping == aiTextureMapping_CYLINDER ||
+                     mapping == aiTextureMapping_PLANE;
+      if (mapping == aiTextureMapping_BOX) return 0;
+    }
+  }
+  return is_projected && !(file.mFlags & AI_SCENE_FLAGS_NON_VERBOSE_FORMAT) ? unsigned(aiProcess_GenUVCoords) : 0;
+}
 
 // The importer, and what it has read.
 struct Import {
@@ -61,7 +80,7 @@ void Import::read(const std::string& path) {
   const bool is_read = importer.ReadFile(path, 0) != nullptr;
   if (is_read) left_out = mend_meshes(const_cast<aiScene*>(importer.GetScene()));
   const bool has_meshes = is_read && scene().mNumMeshes != 0;
-  const bool is_good = has_meshes && importer.ApplyPostProcessing(kSteps) != nullptr;
+  const bool is_good = has_meshes && importer.ApplyPostProcessing(kSteps | projection_step(scene())) != nullptr;
   Assimp::DefaultLogger::kill();
   if (is_read && !has_meshes) {
     throw Error(fmt::format("{}: there are no triangles in it; export a mesh of faces", path));

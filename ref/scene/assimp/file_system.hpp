@@ -9,8 +9,8 @@
 
 namespace halfspace::ref {
 
-// How Assimp reads files. Byte order marks of UTF-8 are passed over: its importers take them for a part of the first
-// word. What it opens, or would have opened, is kept.
+// How Assimp reads files. Byte order marks are passed over, which its importers take for a part of the first word, and
+// UTF-16 becomes UTF-8. What it opens, or would have opened, is kept.
 class FileSystem : public Assimp::DefaultIOSystem {
  public:
   // That file reads as this text.
@@ -26,7 +26,7 @@ class FileSystem : public Assimp::DefaultIOSystem {
   std::vector<std::string> opened_, missing_;
 };
 
-// What is in a file, without a byte order mark. Error with the path.
+// What is in a file, in UTF-8 without a byte order mark. Error with the path.
 std::string text_of(const std::string& path);
 
 }  // namespace halfspace::ref

@@ -3,28 +3,23 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <string_view>
 
 #include "ref/scene/assimp/file_system.hpp"
+#include "ref/scene/assimp/text_lines.hpp"
 
 namespace halfspace::ref {
 namespace {
 
-constexpr const char* kSpace = " \t\r";
-
 std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(kSpace);
+  const std::size_t first = text.find_first_not_of(kBlank);
   if (first == text.npos) return {};
-  return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
+  return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
 }
 
-// The first word, which is taken off.
-std::string_view take_word(std::string_view* text) {
+std::string_view word_of(std::string_view* text) {
+  const std::string_view word = take_word(text);
   *text = trimmed(*text);
-  const std::size_t end = std::min(text->find_first_of(kSpace), text->size());
-  const std::string_view word = text->substr(0, end);
-  *text = trimmed(text->substr(end));
   return word;
 }
 
@@ -39,9 +34,8 @@ int take_numbers(std::string_view* text, int most, double* values) {
   int count = 0;
   for (; count < most; ++count) {
     std::string_view rest = *text;
-    const std::string_view word = take_word(&rest);
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), values[count]);
-    if (error != std::errc() || end != word.data() + word.size() || rest.empty()) break;
+    const std::string_view word = word_of(&rest);
+    if (!read_number(word, &values[count]) || rest.empty()) break;
     *text = rest;
   }
   return count;
@@ -50,7 +44,7 @@ int take_numbers(std::string_view* text, int most, double* values) {
 MtlMap map_of(std::string_view text) {
   MtlMap map;
   while (!text.empty() && text[0] == '-') {
-    const std::string option = lower(take_word(&text));
+    const std::string option = lower(word_of(&text));
     double values[3] = {};
     if (option == "-s" || option == "-o" || option == "-t") {
       const int count = take_numbers(&text, 3, values);
@@ -59,7 +53,7 @@ MtlMap map_of(std::string_view text) {
     } else if (option == "-mm") {
       take_numbers(&text, 2, values);
     } else {
-      const std::string value = lower(take_word(&text));
+      const std::string value = lower(word_of(&text));
       if (option == "-clamp") map.repeats = value != "on";
     }
   }
@@ -76,7 +70,7 @@ void read_mtl(const std::string& path, std::map<std::string, MtlMaps>* materials
     const std::size_t end = std::min(text.find('\n', at), text.size());
     std::string_view line(text.data() + at, end - at);
     at = end + 1;
-    const std::string word = lower(take_word(&line));
+    const std::string word = lower(word_of(&line));
     if (word == "newmtl") material = &(*materials)[std::string(line)];
     if (!material) continue;
     if (word == "map_kd") material->diffuse = map_of(line);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <string_view>
@@ -10,6 +8,7 @@
 
 #include "ref/error.hpp"
 #include "ref/scene/assimp/promised_elements.hpp"
+#include "ref/scene/assimp/text_lines.hpp"
 #include "ref/scene/input_file.hpp"
 
 namespace halfspace::ref {
@@ -42,32 +41,15 @@ struct Element {
   std::vector<Property> properties;
 };
 
-std::vector<std::string_view> words_of(std::string_view line) {
-  std::vector<std::string_view> words;
-  for (std::size_t at = 0;;) {
-    at = line.find_first_not_of(" \t\r", at);
-    if (at == line.npos) return words;
-    const std::size_t end = std::min(line.find_first_of(" \t\r", at), line.size());
-    words.push_back(line.substr(at, end - at));
-    at = end;
-  }
-}
-
-bool read_number(std::string_view word, double* value) {
-  if (!word.empty() && word[0] == '+') word.remove_prefix(1);
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), *value);
-  return error != std::errc::invalid_argument && end == word.data() + word.size();
-}
-
 class Ply {
  public:
-  Ply(const std::string& path, std::string_view text) : path_(path), text_(text) {}
+  Ply(const std::string& path, std::string_view text) : path_(path), text_(text), lines_{text} {}
 
   void check() {
     read_header();
     const double promised = count();
     // A text element is a line, a binary one a byte at least.
-    const double found = is_text_ ? lines_left() : double(text_.size() - at_);
+    const double found = is_text_ ? lines_left() : double(text_.size() - lines_.at);
     if (promised > found) {
       throw Error(fmt::format(
           "{}: the header announces {:.0f} elements, but only {:.0f} {} follow; copy or export the file again", path_,
@@ -80,22 +62,13 @@ class Ply {
 
  private:
   [[noreturn]] void fail(const Element& element, double number, const std::string& what) const {
-    const std::string line = is_text_ ? fmt::format(" (line {})", line_) : "";
+    const std::string line = is_text_ ? fmt::format(" (line {})", lines_.line) : "";
     throw Error(fmt::format("{}: {} {:.0f}{} {}; export the file again", path_, one_line(std::string(element.name)),
                             number, line, what));
   }
 
-  bool next_line(std::string_view* line) {
-    if (at_ >= text_.size()) return false;
-    const std::size_t end = std::min(text_.find('\n', at_), text_.size());
-    *line = text_.substr(at_, end - at_);
-    at_ = end + 1;
-    ++line_;
-    return true;
-  }
-
   void read_header() {
-    for (std::string_view line; next_line(&line);) {
+    for (std::string_view line; lines_.next(&line);) {
       const auto words = words_of(line);
       if (words.empty()) continue;
       if (words[0] == "format" && words.size() > 1) {
@@ -129,8 +102,8 @@ class Ply {
     }
     const bool is_good = bytes_of(property.type) != 0 && (property.count.empty() || bytes_of(property.count) != 0);
     if (elements_.empty() || !is_good) {
-      throw Error(
-          fmt::format("{}: line {} of the header is no property of an element; export the file again", path_, line_));
+      throw Error(fmt::format("{}: line {} of the header is no property of an element; export the file again", path_,
+                              lines_.line));
     }
     elements_.back().properties.push_back(property);
   }
@@ -144,7 +117,7 @@ class Ply {
   double lines_left() const {
     double lines = 0;
     bool blank = true;
-    for (std::size_t i = at_; i < text_.size(); ++i) {
+    for (std::size_t i = lines_.at; i < text_.size(); ++i) {
       const char c = text_[i];
       if (c == '\n') blank = true;
       if (blank && c != '\n' && c != ' ' && c != '\t' && c != '\r') ++lines, blank = false;
@@ -157,24 +130,21 @@ class Ply {
     fail(element, number, fmt::format("has the index {}, and there are {:.0f} vertices", index, vertices_));
   }
 
-  // The next word of the line that is a number; false at its end.
+  // The next word of the line; false at its end. Error if it is no number.
   bool next_number(std::string_view* line, const Element& element, double number, double* value) const {
-    const std::size_t first = line->find_first_not_of(" \t\r");
-    if (first == line->npos) return false;
-    const std::size_t end = std::min(line->find_first_of(" \t\r", first), line->size());
-    const std::string_view word = line->substr(first, end - first);
+    const std::string_view word = take_word(line);
+    if (word.empty()) return false;
     if (!read_number(word, value)) {
       fail(element, number, fmt::format("has '{}' in the place of a number", one_line(std::string(word), 40)));
     }
-    line->remove_prefix(end);
     return true;
   }
 
   void check_line(const Element& element, double number) {
     std::string_view line;
     do {
-      if (!next_line(&line)) return;
-    } while (line.find_first_not_of(" \t\r") == line.npos);
+      if (!lines_.next(&line)) return;
+    } while (line.find_first_not_of(kBlank) == line.npos);
     double value = 0;
     for (const Property& property : element.properties) {
       if (property.count.empty()) {
@@ -193,7 +163,7 @@ class Ply {
         if (property.is_indices()) check_index(element, number, value);
       }
     }
-    if (line.find_first_not_of(" \t\r") != line.npos) fail(element, number, "has more numbers than the header says");
+    if (!take_word(&line).empty()) fail(element, number, "has more numbers than the header says");
   }
 
   double whole_number(std::string_view type, std::size_t at) const {
@@ -222,27 +192,28 @@ class Ply {
       double entries = 1;
       if (!property.count.empty()) {
         const std::size_t bytes = std::size_t(bytes_of(property.count));
-        if (bytes > text_.size() - at_) fail(element, number, "is cut");
-        entries = whole_number(property.count, at_);
-        at_ += bytes;
+        if (bytes > text_.size() - lines_.at) fail(element, number, "is cut");
+        entries = whole_number(property.count, lines_.at);
+        lines_.at += bytes;
         if (!(entries >= 0) || entries != std::floor(entries))
           fail(element, number, "does not say how many numbers follow");
       }
       const std::size_t bytes = std::size_t(bytes_of(property.type));
-      if (entries * double(bytes) > double(text_.size() - at_)) {
+      if (entries * double(bytes) > double(text_.size() - lines_.at)) {
+        if (property.count.empty()) fail(element, number, "is cut");
         fail(element, number, fmt::format("says that {:.0f} numbers follow, and the file ends before", entries));
       }
       if (!property.count.empty() && property.is_indices()) {
         for (double i = 0; i < entries; ++i)
-          check_index(element, number, whole_number(property.type, at_ + std::size_t(i) * bytes));
+          check_index(element, number, whole_number(property.type, lines_.at + std::size_t(i) * bytes));
       }
-      at_ += std::size_t(entries) * bytes;
+      lines_.at += std::size_t(entries) * bytes;
     }
   }
 
   const std::string& path_;
   std::string_view text_;
-  std::size_t at_ = 0, line_ = 0;
+  TextLines lines_;
   bool is_text_ = true, is_big_ = false;
   std::vector<Element> elements_;
   double vertices_ = 0;
