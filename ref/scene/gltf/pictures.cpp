@@ -19,7 +19,8 @@ bool is_png_or_jpeg(std::string_view bytes) {
 
 int Pictures::of_texture(int texture) const {
   const int picture = file_.model.textures[std::size_t(texture)].source;
-  if (picture < 0) file_.remark("textures whose pictures are neither PNG nor JPEG are left out");
+  if (picture < 0 && file_.choice.textured)
+    file_.remark("textures whose pictures are neither PNG nor JPEG are left out");
   return picture;
 }
 

@@ -83,8 +83,10 @@ class Reader {
       node.meshes = parts.numbers;
       return;
     }
+    const std::vector<double> weights = node.weights;
     for (Node& instance : *instances) {
       instance.parent = number;
+      instance.weights = weights;
       instance.meshes = parts.numbers;
       document_.nodes.push_back(std::move(instance));
       targets_.push_back(0);

@@ -63,6 +63,13 @@ TEST(GltfAccessors, IndicesMayHaveNoView) {
   EXPECT_EQ(file.read().meshes[0].mesh.triangles, (std::vector<Corner>{{0, 0, 0}}));
 }
 
+TEST(GltfAccessors, BuffersMayBeLongerThanTheySay) {
+  GltfFile file;
+  const TemporaryFile buffer("long.bin", file.bytes + std::string(5000, 'x'));
+  file.root["buffers"] = {{{"byteLength", file.bytes.size()}, {"uri", "halfspace_ref_long.bin"}}};
+  EXPECT_EQ(file.read().meshes[0].mesh.positions[1], V3(1, 0, 0));
+}
+
 TEST(GltfPrimitives, ModesBecomeTriangles) {
   const std::vector<std::pair<int, std::vector<Corner>>> cases{{4, {{0, 1, 2}, {3, 4, 5}}},
                                                                {5, {{0, 1, 2}, {1, 3, 2}, {2, 3, 4}, {3, 5, 4}}},

@@ -52,6 +52,10 @@ TEST(GltfRefused, NumbersBeyondWhatTheFileHolds) {
        [](GltfFile& f) {
          f.primitive()["indices"] = f.add<std::uint8_t>("SCALAR", 3, {0, 1, 3});
        }},
+      {"is not of unsigned numbers",
+       [](GltfFile& f) {
+         f.primitive()["indices"] = f.add<std::uint8_t>("SCALAR", 3, {0, 1, 2}, true);
+       }},
       {"2 corners are no whole triangles",
        [](GltfFile& f) {
          f.primitive()["indices"] = f.add<std::uint8_t>("SCALAR", 2, {0, 1});

@@ -109,7 +109,7 @@ void Accessor::read_sparse(const tinygltf::Accessor& source) {
   }
 }
 
-bool Accessor::is_unsigned() const { return is_unsigned_type(type_); }
+bool Accessor::is_unsigned() const { return is_unsigned_type(type_) && !normalized_; }
 
 double Accessor::number(const std::uint8_t* bytes) const {
   switch (type_) {

@@ -21,8 +21,7 @@ class Accessor {
 
   std::size_t count() const { return count_; }
   int components() const { return columns_ * rows_; }
-  bool is_whole() const { return type_ != TINYGLTF_COMPONENT_TYPE_FLOAT; }
-  bool is_unsigned() const;
+  bool is_unsigned() const;  // whole numbers from 0 on
   // Error on NaN and infinity.
   double at(std::size_t element, int component = 0) const;
   std::vector<double> all() const;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -70,18 +71,16 @@ bool read_bytes(const std::string& path, std::size_t most, std::string* bytes) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return false;
   const std::uintmax_t size = std::filesystem::file_size(path, error);
-  if (error || size > most) return false;
+  if (error) return false;
   std::ifstream file(path, std::ios::binary);
-  bytes->resize(std::size_t(size));
-  return file && file.read(bytes->data(), std::streamsize(size));
+  bytes->resize(std::size_t(std::min<std::uintmax_t>(size, most)));
+  return file && file.read(bytes->data(), std::streamsize(bytes->size()));
 }
 
 Container read_container(const std::string& path) {
   Container container;
   check_input_file(path);
-  if (!read_bytes(path, kMostBytes, &container.bytes)) {
-    throw Error(fmt::format("{}: cannot be read, or has more than {} bytes; check the file", path, kMostBytes));
-  }
+  if (!read_bytes(path, kMostBytes, &container.bytes)) throw Error(path + ": cannot be read; check the file");
   if (container.bytes.compare(0, 4, "glTF") == 0) split(path, &container);
   else container.json = container.bytes;
   check_depth(path, container.json);

@@ -19,7 +19,7 @@ struct Container {
 // Error on what is not there, is cut, or is nested so deeply that no reader's stack is safe.
 Container read_container(const std::string& path);
 
-// All of a file that is regular and has at most `most` bytes; less than all: false.
+// The first bytes of a file, at most `most`. False if it is not regular, or cannot be read.
 bool read_bytes(const std::string& path, std::size_t most, std::string* bytes);
 
 }  // namespace halfspace::ref::gltf

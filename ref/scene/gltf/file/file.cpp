@@ -19,6 +19,8 @@ namespace {
 
 using nlohmann::json;
 
+constexpr std::size_t kLongestName = 200;  // bytes
+
 json parse(const std::string& path, std::string_view text) {
   try {
     return json::parse(text);
@@ -52,9 +54,8 @@ std::string buffer_of_uri(const std::string& path, const std::string& uri, std::
                             shown(uri)));
   }
   std::string bytes;
-  if (!read_bytes(name, std::max<std::size_t>(2 * size, 1 << 20), &bytes)) {
-    refuse(path, fmt::format("cannot be read as a mesh (its buffer '{}' cannot be read, or is far longer than it says)",
-                             shown(uri)));
+  if (!read_bytes(name, size, &bytes)) {
+    refuse(path, fmt::format("cannot be read as a mesh (its buffer '{}' cannot be read)", shown(uri)));
   }
   return bytes;
 }
@@ -91,8 +92,10 @@ void refuse(const std::string& path, const std::string& what) {
 }
 
 std::string name_of(const std::string& text) {
+  std::size_t length = std::min<std::size_t>(text.size(), kLongestName);
+  while (length < text.size() && length > 0 && (text[length] & 0xC0) == 0x80) --length;  // no part of a letter
   std::string name;
-  for (const char c : text.substr(0, 200)) name += std::uint8_t(c) < 0x20 || c == 0x7F ? ' ' : c;
+  for (const char c : text.substr(0, length)) name += std::uint8_t(c) < 0x20 || c == 0x7F ? ' ' : c;
   return name;
 }
 
