@@ -16,12 +16,18 @@ namespace {
 
 // Few enough tics that their numbers, which may be long, stand apart.
 std::string x_axis(double first, double last) {
+  if (last > 8 * first) {
+    return fmt::format("set logscale x\nset xrange [{}:{}]\nset xtics autofreq\nset format x '%.0s%c'", first / 2,
+                       last * 2);
+  }
   if (first >= last) {
-    return fmt::format("set xrange [{}:{}]\nset xtics autofreq\nset format x '%.0f'", 0.9 * first, 1.1 * first);
+    return fmt::format("unset logscale x\nset xrange [{}:{}]\nset xtics autofreq\nset format x '%.0f'", 0.9 * first,
+                       1.1 * first);
   }
   const double quarter = (last - first) / 4, decade = std::pow(10, std::floor(std::log10(quarter)));
   const double step = std::max(1.0, decade * (quarter <= 2 * decade ? 2 : quarter <= 5 * decade ? 5 : 10));
-  return fmt::format("set xrange [*:*]\nset xtics {}\nset format x '{}'", step, step < 1000 ? "%.0f" : "%.0s%c");
+  return fmt::format("unset logscale x\nset xrange [*:*]\nset xtics {}\nset format x '{}'", step,
+                     step < 1000 ? "%.0f" : "%.0s%c");
 }
 
 void draw_front(PanelScript& script, const std::vector<Json>& rows, const std::string& scene, const std::string& cost,
