@@ -106,10 +106,11 @@ template <class Record>
 using Packed = Word<PackedBits<Record>::kWordBits>;
 
 template <class Record>
-HS_INLINE inline Packed<Record> packed(Record record) {
+HS_INLINE inline Packed<Record> packed(const Record& record) {
   Packed<Record> word = zero_word<PackedBits<Record>::kWordBits>();
   packed_detail::Packer<PackedBits<Record>::kWordBits> packer(word, PackedBits<Record>::kBits);
-  record.visit(packer);
+  // visit() is not const, as an unpacker writes. A copy would be a function of its own to Bambu, and a memory.
+  const_cast<Record&>(record).visit(packer);
   return word;
 }
 
