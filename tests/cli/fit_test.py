@@ -135,8 +135,8 @@ def main():
     report, config = folder / "sides.json", folder / "sides.toml"
     sides = {}
     for views in (1, 3):
-        run(halfspace, "fit", "teapot", "--size", "96x72", "--psnr", 40, "--views", views, "--area", "none", "--no-cosim",
-            "-o", config, "--json", report, "--work", folder / "x")
+        run(halfspace, "fit", "teapot", "--size", "96x72", "--psnr", 40, "--views", views, "--area", "none",
+            "--no-cosim", "-o", config, "--json", report, "--work", folder / "x")
         sides[views] = json.loads(report.read_text())
         assert (sides[views]["views"], sides[views]["frames"]) == (views, views), sides[views]
         assert second_look(halfspace, "teapot", "96x72", [0], config, folder) >= 40 - 0.3
