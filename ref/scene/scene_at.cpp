@@ -75,12 +75,19 @@ Scene geometry_at(const Document& document, const Pose& pose) {
   return scene;
 }
 
-std::vector<glm::dvec3> world_points(const Scene& scene) {
+// The corners of all that is drawn. Meshes that do not change are not copied.
+std::vector<glm::dvec3> world_points(const Document& document, const Pose& pose) {
   std::vector<glm::dvec3> points;
-  for (const Instance& instance : scene.instances) {
-    const Mesh& mesh = scene.meshes[instance.mesh];
-    for (const auto& corner : mesh.triangles) {
-      for (const std::uint32_t i : corner) points.emplace_back(instance.to_world * glm::dvec4(mesh.positions[i], 1));
+  for (int n = 0; n < int(document.nodes.size()); ++n) {
+    for (const int number : document.nodes[n].meshes) {
+      Scene moved;
+      add_instance(document, pose, n, number, &moved);
+      const Mesh& mesh = moved.meshes.empty() ? document.meshes[number].mesh : moved.meshes[0];
+      const glm::dmat4& to_world = moved.instances[0].to_world;
+      if (points.empty()) points.reserve(3 * mesh.triangles.size());
+      for (const auto& corner : mesh.triangles) {
+        for (const std::uint32_t i : corner) points.emplace_back(to_world * glm::dvec4(mesh.positions[i], 1));
+      }
     }
   }
   return points;
@@ -114,11 +121,11 @@ const Animation* chosen_animation(const Document& document, const SceneChoice& c
 
 std::vector<glm::dvec3> framing_of(const Document& document, const SceneChoice& choice) {
   const Animation* const animation = chosen_animation(document, choice);
-  std::vector<glm::dvec3> framing = world_points(geometry_at(document, Pose(document, animation, 0)));
+  std::vector<glm::dvec3> framing = world_points(document, Pose(document, animation, 0));
   if (!animation || !(animation->duration > 0)) return framing;
   for (int k = 1; k <= kFramedTimes; ++k) {
     const Pose pose(document, animation, animation->duration * k / kFramedTimes);
-    const std::vector<glm::dvec3> points = world_points(geometry_at(document, pose));
+    const std::vector<glm::dvec3> points = world_points(document, pose);
     if (points.empty()) continue;
     glm::dvec3 low = points[0], high = low;
     for (const glm::dvec3& point : points) low = glm::min(low, point), high = glm::max(high, point);

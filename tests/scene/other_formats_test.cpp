@@ -267,6 +267,8 @@ TEST(OtherFormats, MapsLieAsTheLibrarySays) {
   for (const char* remark :
        {"transparent materials are drawn opaque", "bump maps are left out", "opacity maps are left out"})
     EXPECT_TRUE(has(scene, remark)) << remark;
+  const TemporaryFile capitals("map.mtl", "newmtl a\nmap_Kd C:\\pictures\\MY TEX.PNG\n");
+  EXPECT_EQ(textured(obj.path()).textures.size(), 1u);
   std::filesystem::remove(TempDir() + "my tex.png");
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 
 #include "ref/error.hpp"
@@ -38,7 +39,25 @@ Texture embedded_texture(const aiTexture& source, const std::string& name) {
   return read_texture(name, std::vector<std::uint8_t>(bytes, bytes + source.mWidth), kTopRowIsAtOne);
 }
 
-// Exporters write paths of their own machines: what counts then is the name of the file. Some leave spaces behind it.
+std::string lower(std::string text) {
+  for (char& c : text) c = char(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+// A file of the folder whose name differs in the case of letters alone; empty: there is none.
+std::string in_other_case(const fs::path& folder, const std::string& name) {
+  std::error_code error;
+  for (fs::directory_iterator entry(folder.empty() ? fs::path(".") : folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    std::error_code ignored;
+    if (lower(entry->path().filename().string()) == lower(name) && entry->is_regular_file(ignored))
+      return (folder / entry->path().filename()).string();
+  }
+  return "";
+}
+
+// Exporters write paths of their own machines: what counts then is the name of the file. Some leave spaces behind it,
+// some write it in capitals.
 std::string find_file(const std::string& scene, const std::string& as_it_stands) {
   std::string slashed = as_it_stands, trimmed;
   std::replace(slashed.begin(), slashed.end(), '\\', '/');
@@ -50,6 +69,8 @@ std::string find_file(const std::string& scene, const std::string& as_it_stands)
       if (!path.empty() && fs::is_regular_file(candidate, error)) return candidate.string();
     }
   }
+  const std::string other = in_other_case(folder, fs::path(trimmed).filename().string());
+  if (!other.empty()) return other;
   throw Error(fmt::format("{}: its texture '{}' is not there; put it beside the file, or leave textures out", scene,
                           one_line(trimmed)));
 }
