@@ -51,8 +51,7 @@ class StaticFrames {
   StaticFrames(const ref::Scene&, const StaticFramesOptions&);
 
   // The scene as it stands now. With lighting in hardware, where the middle of the scene is the point that lights and
-  // viewer are seen from, a movement of it may be a change of light. Throws ref::Error where no triangle of the scene
-  // is in the frame.
+  // viewer are seen from, a movement of it may be a change of light.
   const StaticFrameWork& draw(const StaticFramesSink& sink = {});
   // Other lights, materials, meshes or background: the next frame begins as after a movement of the viewpoint.
   void start_anew() { states_.start_anew(); }
