@@ -79,6 +79,10 @@ class Cases(unittest.TestCase):
     def test_accessors(self):
         self.expect_box("geometry/quantised.gltf", (0, 63, 0, 63))
 
+    def test_unlit_materials(self):
+        for picture, words in self.drawn("geometry/unlit.gltf"):
+            self.assertEqual((words, picture.colours()), ("", {(255, 102, 0): SIZE * SIZE}))
+
     def test_normals(self):
         for picture, _ in self.drawn("geometry/dome_indexed.gltf"):
             self.assertEqual(len(picture.colours()), 5)

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What materials of a glTF file say, and their textures.
+#include "ref/geometry/distant_lighting.hpp"
+#include "ref/geometry/lighting.hpp"
 #include "tests/scene/gltf/gltf_file.hpp"
 
 namespace halfspace::ref {
@@ -37,6 +39,24 @@ TEST(GltfMaterials, FactorsAndFlagsAreRead) {
   EXPECT_TRUE(material.two_sided);
   file.material()["extensions"] = {{"KHR_materials_unlit", json::object()}};
   EXPECT_TRUE(file.read().materials[0].unlit);
+}
+
+TEST(GltfMaterials, UnlitOnesHaveTheirColourWhateverTheLight) {
+  Material material;
+  material.unlit = true;
+  material.diffuse = {0.5, 1, 0.25};
+  material.emission = material.specular = V3(1);
+  const SurfacePoint point{{0, 0, 0}, {0, 0, 1}, {0, 0, 1}, {1, 0.5, 1}};
+  EXPECT_EQ(phong(point, material, V3(1), {Light(), Light()}), V3(127.5, 127.5, 63.75));
+  EXPECT_EQ(phong(point, material, V3(0), {}), V3(127.5, 127.5, 63.75));
+  Scene scene;
+  scene.materials = {material};
+  scene.meshes = {
+      {"face", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}, {}, {}, {{0, 1, 2}}, 0}};
+  scene.instances = {{0, glm::dmat4(1)}};
+  scene.framing = scene.meshes[0].positions;
+  const DistantScene distant = distant_scene(scene, viewpoint(scene, 1), 4);
+  EXPECT_EQ(distant_colour(distant.materials[0], distant.lights, {0, 0, 1}), V3(127.5, 255, 63.75));
 }
 
 TEST(GltfMaterials, EmissionIsFactorTimesMap) {
