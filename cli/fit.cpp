@@ -253,10 +253,10 @@ void add_fit(CLI::App& app, int&) {
       "All frames of the scene are drawn with configurations of ever fewer bits, against the ideal picture: positions "
       "not\n"
       "snapped, nothing rounded. What is found is rendered again, and its RTL co-simulated, before it is written.\n"
-      "  halfspace fit cube --size 160x120 --psnr 45 -o cube.toml            its circuit beside that of high, by "
-      "Yosys\n"
+      "  halfspace fit cube --size 160x120 --psnr 45 --area none -o cube.toml\n"
       "  halfspace fit teapot --views 4 --size 320x240 --area none --no-cosim  from four sides\n"
-      "  halfspace fit drone --frames 0:4 --size 160x120 --max-lsb 2 --area none -o drone.toml\n");
+      "  halfspace fit drone --frames 0:4 --size 160x120 --max-lsb 2 --area none -o drone.toml\n"
+      "Without --area none, its circuit beside that of high, by Yosys: minutes.\n");
   add_frame_options(command, options->input);
   command
       ->add_option("--views", options->input.views,

@@ -19,7 +19,7 @@ NONE = {"compare"}  # takes what other commands write, and stands in `halfspace 
 def run(line, folder, halfspace):
     """As a shell would, with halfspace in the path."""
     path = f"{halfspace.parent}:{os.environ['PATH']}"
-    return subprocess.run(["bash", "-c", line], cwd=folder, capture_output=True, text=True, timeout=900, check=False,
+    return subprocess.run(["bash", "-c", line], cwd=folder, capture_output=True, text=True, timeout=3600, check=False,
                           env={**os.environ, "PATH": path})
 
 

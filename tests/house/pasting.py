@@ -38,7 +38,7 @@ def copy_of(root, halfspace):
 
 def paste(line, folder):
     """Runs a line as a shell would."""
-    return subprocess.run(["bash", "-c", line], cwd=folder, capture_output=True, text=True, timeout=600, check=False)
+    return subprocess.run(["bash", "-c", line], cwd=folder, capture_output=True, text=True, timeout=3600, check=False)
 
 
 def strewn(folder):
