@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
+#include <malloc.h>
 
 #include <cmath>
 #include <csignal>
@@ -7,6 +8,7 @@
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <limits>
 
 #include "cli/commands.hpp"
 #include "cli/common/files.hpp"
@@ -153,6 +155,9 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // Memory that is given back is kept: scenes of a million triangles pass through lists that are as long.
+  mallopt(M_MMAP_MAX, 0);
+  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
   std::signal(SIGXFSZ, SIG_IGN);  // a file beyond a limit is an error of its write
   const int status = run(argc, argv);
   if (!std::cout.flush() || std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
