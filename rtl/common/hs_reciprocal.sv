@@ -3,9 +3,9 @@
 //
 //   s = floor(log2 D),  R = floor(2^(r+s) / D + 1/2),  D >= 1
 //
-// A stage normalizes D, by 16, 4 or 1 places a cycle, or all but one of a short D; the next divides,
-// a quotient bit a cycle. The division is non-restoring: the signs of its remainders are those of
-// the restoring one.
+// A stage normalizes D, by 16, 4 or 1 places a cycle, or all but one of a short D; the next
+// divides, a quotient bit a cycle. The division is non-restoring: the signs of its remainders are
+// those of the restoring one.
 // Interval: Fraction + 3 cycles. Latency: at most 8 more for the normalization, which
 // runs during the division before. Stall: a quotient stays until taken, a normalized D behind it.
 // Illegal: D = 0.

@@ -118,7 +118,7 @@ module hs_setup_record #(
     localparam int unsigned PlaneBits = hs_formats_pkg::DepthPlaneBits;
     logic [DepthBits-1:0] depth0_q, depth1_q, depth2_q;
     hs_formats_pkg::delta_t x_q, y_q;
-    // 18-bit factors, one of them the sign: the multipliers of FPGAs. Longer where two would not do.
+    // 18-bit factors, one of them the sign: the multipliers of FPGAs. Longer where two are too few.
     localparam int unsigned FactorBits =
         hs_formats_pkg::ReciprocalBits > hs_formats_pkg::DeltaBits - 1 ?
         hs_formats_pkg::ReciprocalBits : hs_formats_pkg::DeltaBits - 1;

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Broken files of every kind that the program reads, made of good ones by a seed: none may crash it, hang it or make it
 grow, and what it draws it draws whole. A file is read as its user would, in a process of the program.
-Usage: fuzz_test.py HALFSPACE MODELS [--files N | --seconds N] [--seed N] [--keep FOLDER] [--kinds KIND ...]
+Usage: fuzz_test.py HALFSPACE MODELS [--files N | --seconds N] [--seed N] [--keep FOLDER]
+       [--kinds KIND ...]
 KIND: scene (a file of each format of MODELS in turn), tri, toml, set (a manifest, or a stream of a vector set);
 without, all. --files: of each kind; --seconds: as many as that for each kind. --keep: files at fault are copied there."""
 import argparse
@@ -20,7 +21,6 @@ import time
 MOST_SECONDS, MOST_MEGABYTES, LARGEST = 20, 2048, 200_000  # of the processor, resident; bytes of a good file
 NUMBERS = (b"0", b"-1", b"1", b"255", b"65536", b"2147483647", b"4294967295", b"-2147483648", b"1e39", b"1e-39", b"nan",
            b"99999999999999999999", b"0.5", b"")
-# A texture beside a scene is not changed, and what stands in a good file may be absent: both are sentences.
 
 
 def mutated(data, rng):
@@ -69,8 +69,9 @@ class Fuzz:
         self.halfspace, self.folder = halfspace, folder
         self.formats = scenes(models)
         self.tri, self.set = folder / "good", folder / "set"
-        self.run([halfspace, "render", "cube", "--config", "low", "--size", "64x48", "--engine", "ref", "--dump", self.tri])
-        self.run([halfspace, "vectors", "cube", "--config", "low", "--lanes", "4", "--size", "64x48", "--out", self.set])
+        low = ["cube", "--config", "low", "--size", "64x48"]
+        self.run([halfspace, "render", *low, "--engine", "ref", "--dump", self.tri])
+        self.run([halfspace, "vectors", *low, "--lanes", "4", "--out", self.set])
         self.toml = folder / "good.toml"
         self.toml.write_text(subprocess.run([halfspace, "config", "middle"], capture_output=True, text=True,
                                             check=True).stdout)
@@ -92,7 +93,8 @@ class Fuzz:
         bad = here / good.name
         bad.write_bytes(mutated(good.read_bytes(), rng))
         textured = ["--texture", "nearest"] if rng.randrange(2) else []
-        return bad, good, ["render", bad, "--engine", "ref", "--size", "64x48", "-o", self.folder / "out.png", *textured]
+        picture = ["-o", self.folder / "out.png"]
+        return bad, good, ["render", bad, "--engine", "ref", "--size", "64x48", *picture, *textured]
 
     def tri_file(self, _, rng):
         bad = self.folder / "bad.tri"
