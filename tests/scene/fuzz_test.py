@@ -5,7 +5,7 @@ grow, and what it draws it draws whole. A file is read as its user would, in a p
 Usage: fuzz_test.py HALFSPACE MODELS [--files N | --seconds N] [--seed N] [--keep FOLDER]
        [--kinds KIND ...]
 KIND: scene (a file of each format of MODELS in turn), tri, toml, set (a manifest, or a stream of a vector set);
-without, all. --files: of each kind; --seconds: as many as that for each kind. --keep: where files at fault are copied."""
+without, all. --files: of each kind; --seconds: as many as that for each kind. --keep: where faulty files are copied."""
 import argparse
 import os
 import pathlib
