@@ -9,6 +9,7 @@
 #include "model/formats/configuration.hpp"
 #include "model/texture/texture.hpp"
 #include "ref/error.hpp"
+#include "ref/scene/scene.hpp"
 #include "tests/config_path.hpp"
 #include "tests/texture/textured_configs.hpp"
 
