@@ -64,7 +64,7 @@ TEST(Configuration, RefusesWithItsReason) {
       {middle_with("width", "widht = 640"), "there is no field 'widht'"},
       {middle_with("width", ""), "the field 'width' is missing"},
       {middle_with("name", "name = \"../x\""), "a name has letters"},
-      {middle_with("triangles", "triangles = 0"), "triangles is 1 to"},
+      {middle_with("triangles", "triangles = 1"), "triangles is 2 to"},
       {middle_with("subpixel_bits", "subpixel_bits = 0"), "subpixel_bits is 1 to 12"},
       {middle_with("depth_bits", "depth_bits = 33"), "depth_bits is 2 to 32"},
       {middle_with("colour_bits", "colour_bits = 9"), "colour_bits is 1 to 8"},
