@@ -147,6 +147,7 @@ def main():
         faults = read_faults(args.faults)
         if args.halfspace:
             args.vectors = args.work / "vectors"
+            args.work.mkdir(parents=True, exist_ok=True)
             run([args.halfspace, "vectors", args.scene, "--config", args.config, "--lanes", args.lanes,
                  "--out", args.vectors], "halfspace vectors")
     except Broken as e:

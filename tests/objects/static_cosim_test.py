@@ -61,6 +61,7 @@ def main():
     args = parser.parse_args(own[:at])
     folder = pathlib.Path(args.folder)
     shutil.rmtree(folder, ignore_errors=True)
+    folder.parent.mkdir(parents=True, exist_ok=True)
     code, text = run([args.halfspace, "vectors", "static", "--config", args.config, "--lanes", args.lanes, "--out",
                       str(folder),
                       "--seed", str(args.seed), *own[at + 1:]])

@@ -142,8 +142,9 @@ def main():
 
     folder = pathlib.Path(args.folder)
     shutil.rmtree(folder, ignore_errors=True)
+    folder.parent.mkdir(parents=True, exist_ok=True)
     if args.scene == "layers":
-        folder.mkdir(parents=True)
+        folder.mkdir()
         args.scene = str(folder / "layers.tri")
         layers(pathlib.Path(args.scene))
     code, text = run([args.halfspace, "vectors", args.scene, "--config", args.config, "--lanes", args.lanes, "--out",
