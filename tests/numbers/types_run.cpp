@@ -127,6 +127,7 @@ int main(int argc, char** argv) {
     const model::Configuration objects(ObjectsMiddle::config().name, ObjectsMiddle::config());
     equal += tests::expect_native(objects);
     equal += tests::expect_merge(objects);
+    std::filesystem::create_directories(argv[2]);
     for (const model::Configuration& configuration : model::named_configurations()) {
       equal += tests::expect_manifest(configuration, argv[1], fmt::format("{}/{}", argv[2], configuration.name()));
     }
