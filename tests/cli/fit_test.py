@@ -22,7 +22,6 @@ def run(*command):
     if result.returncode:
         raise SystemExit(f"{' '.join(map(str, command))}\nfailed with {result.returncode}: "
                          f"{result.stdout}{result.stderr}")
-    SAID.append(result.stderr)
     return result.stdout
 
 
@@ -66,7 +65,7 @@ def check_architecture(stem, found):
     TAKEN.add(taken)
 
 
-TAKEN, SAID = set(), []
+TAKEN = set()
 
 
 def main():
@@ -155,7 +154,6 @@ def main():
         report, "--work", folder / "x")
     check_architecture("small", json.loads(report.read_text()))
     assert TAKEN == {"gamma", "delta"}, TAKEN
-    assert any(": building the bench: " in said for said in SAID), "a bench is built without a word"
     print("fit: six scenes hold")
 
 
