@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ref/scene/box.hpp"
+
 namespace halfspace::ref {
 namespace {
 
@@ -25,10 +27,9 @@ double strength(const Light& light, const glm::dvec3& point) {
 }
 
 void expose(Scene* scene) {
-  glm::dvec3 low = scene->framing.front(), high = low;
-  for (const glm::dvec3& p : scene->framing) low = glm::min(low, p), high = glm::max(high, p);
+  const Box box = box_of(scene->framing);
   double total = 0;
-  for (const Light& light : scene->lights) total += strength(light, (low + high) / 2.0);
+  for (const Light& light : scene->lights) total += strength(light, (box.low + box.high) / 2.0);
   if (!(total > 0) || !std::isfinite(total)) return scene->lights.clear();
   for (Light& light : scene->lights) light.colour *= std::clamp(total, 0.25, 1.0) / total;
 }
@@ -52,9 +53,8 @@ std::optional<Camera> placed_camera(const DocumentCamera& source, const Pose& po
 
 bool sees(const Camera& camera, const std::vector<glm::dvec3>& points) {
   if (points.empty()) return false;
-  glm::dvec3 low = points.front(), high = low;
-  for (const glm::dvec3& p : points) low = glm::min(low, p), high = glm::max(high, p);
-  if (camera.position == glm::clamp(camera.position, low, high)) return true;
+  const Box box = box_of(points);
+  if (camera.position == glm::clamp(camera.position, box.low, box.high)) return true;
   const glm::dvec3 forward = glm::normalize(camera.forward);
   const double half_size = std::max({camera.half_width, camera.half_height, 0.3});
   return std::any_of(points.begin(), points.end(), [&](const glm::dvec3& point) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "ref/error.hpp"
+#include "ref/scene/box.hpp"
 #include "ref/scene/normals.hpp"
 #include "ref/scene/placed_parts.hpp"
 #include "ref/scene/pose.hpp"
@@ -127,8 +128,7 @@ std::vector<glm::dvec3> framing_of(const Document& document, const SceneChoice& 
     const Pose pose(document, animation, animation->duration * k / kFramedTimes);
     const std::vector<glm::dvec3> points = world_points(document, pose);
     if (points.empty()) continue;
-    glm::dvec3 low = points[0], high = low;
-    for (const glm::dvec3& point : points) low = glm::min(low, point), high = glm::max(high, point);
+    const auto [low, high] = box_of(points);
     for (int c = 0; c < 8; ++c)
       framing.emplace_back(c & 1 ? high.x : low.x, c & 2 ? high.y : low.y, c & 4 ? high.z : low.z);
   }

@@ -32,8 +32,6 @@ constexpr UndrawnMap kUndrawn[] = {
     {aiTextureType_METALNESS, "metalness"},  {aiTextureType_DIFFUSE_ROUGHNESS, "roughness"},
 };
 
-bool is_black(const glm::dvec3& c) { return c.r <= 0 && c.g <= 0 && c.b <= 0; }
-
 // What importers write below 0 is a colour that is not set.
 glm::dvec3 colour_of(const aiMaterial& source, const char* key, unsigned type, unsigned index,
                      const glm::dvec3& absent) {
@@ -160,6 +158,8 @@ class Materials {
 };
 
 }  // namespace
+
+bool is_black(const glm::dvec3& c) { return c.r <= 0 && c.g <= 0 && c.b <= 0; }
 
 glm::dvec3 sane_colour(const glm::dvec3& c) {
   for (int i = 0; i < 3; ++i) {

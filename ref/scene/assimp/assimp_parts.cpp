@@ -11,8 +11,6 @@ namespace {
 
 constexpr char kNamelessNode[] = "$ColladaAutoName$_";  // with a number: Assimp's name of a node that has none
 
-bool is_black(const glm::dvec3& c) { return c.r <= 0 && c.g <= 0 && c.b <= 0; }
-
 // Half of the size of the view at distance 1; 0 for an angle that is none. Assimp's Collada importer turns
 // the angle of a camera that has none, 45 degrees, into radians twice: 0.0137.
 double half_size(double angle) { return angle > 0.0138 && angle < 3.1 ? std::tan(angle / 2) : 0; }

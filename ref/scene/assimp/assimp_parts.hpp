@@ -21,6 +21,7 @@ inline glm::dvec3 to_glm(const aiVector3D& v) { return {v.x, v.y, v.z}; }
 inline glm::dvec3 to_glm(const aiColor3D& c) { return {c.r, c.g, c.b}; }
 // Black where it is NaN or infinite, and not below 0.
 glm::dvec3 sane_colour(const glm::dvec3&);
+bool is_black(const glm::dvec3&);
 
 using NodeNumbers = std::map<std::string, int>;
 
