@@ -133,7 +133,8 @@ void write_vectors(const VectorsOptions& options) {
   if (options.input.scene == "merge") return write_merge(options, configuration);
   if (options.input.scene == "static") return write_static(options, configuration);
   if (options.input.scene == "compensation" || options.compensation) return write_compensation(options, configuration);
-  const bool standard = options.input.scene == "standard", largest = options.input.scene == "largest";
+  const bool between = options.input.scene == "between";
+  const bool standard = between || options.input.scene == "standard", largest = options.input.scene == "largest";
   const bool corners = standard || (options.corners && !largest);
   if (!standard && !largest) {
     LoadedScene scene = load_snapped(options.input);
@@ -176,8 +177,9 @@ void write_vectors(const VectorsOptions& options) {
   if (!corners) set.seed = 0;
   set.window = options.input.window;
   Progress progress("vectors " + set.scene);
-  const std::string manifest = model::write_vector_set(
-      options.out, set, frames, [&](std::size_t done, std::size_t total) { progress.tell(done, total); });
+  const auto write = between ? model::write_between_set : model::write_vector_set;
+  const std::string manifest =
+      write(options.out, set, frames, [&](std::size_t done, std::size_t total) { progress.tell(done, total); });
   tell(options, configuration, manifest);
 }
 
@@ -190,13 +192,11 @@ void add_vectors(CLI::App& app, int&) {
       "  halfspace vectors teapot --config low --lanes 4 --out vectors    one scene, and corner cases before it\n"
       "  halfspace vectors standard --config low --out standard           the corner cases alone\n"
       "Annotated corner cases come first, then random frames, then the frame of SCENE; `standard` as SCENE stands\n"
-      "for the first two alone, `largest` for the largest frame and the last index, `compensation` for the unit of "
-      "that\n"
-      "name in a configuration with motion, `merge` for the one that merges buffers in a configuration with objects. "
-      "`static`\n"
-      "writes two sets, OUT/pipeline and OUT/merge: a random sequence of the static objects buffer, of 20x16 pixels if "
-      "no size is\n"
-      "given. Each stream is a text file that $readmemh reads; manifest.json tells the fields.\n");
+      "for the first two alone, `largest` for the largest frame and the last index. In a configuration with motion\n"
+      "`between` stands for those of `standard`, compensated, and `compensation` for the unit of that name; `merge`\n"
+      "in one with objects for the unit that merges buffers. `static` writes two sets, OUT/pipeline and OUT/merge:\n"
+      "a random sequence of the static objects buffer, of 20x16 pixels if no size is given. Each stream is a text\n"
+      "file that $readmemh reads; manifest.json tells the fields.\n");
   add_scene_options(command, options->input);
   command->add_option("--lanes", options->lanes, "pixels a stamp: 1, 2, 4, 8, 16; default: the configuration's");
   add_output_folder(command, "--out", options->out, "folder to write")->required();

@@ -5,8 +5,8 @@
     vectors/bits.py build/cli/halfspace > vectors/standard/bits.sha256         what there is
     vectors/bits.py build/cli/halfspace --held vectors/standard/bits.sha256    fails where it is not what there was
 
-The named configurations and all of tests/configs: the set `standard`, with motion also `compensation`, with objects
-also `merge`; and the package of formats of each. A line is: configuration, set, stream, SHA-256.
+The named configurations and all of tests/configs: the set `standard`, with motion also `compensation` and `between`,
+with objects also `merge`; and the package of formats of each. A line is: configuration, set, stream, SHA-256.
 """
 
 import argparse
@@ -23,6 +23,7 @@ def sets_of(text):
     yield "standard"
     if 'shading = "motion"' in text:
         yield "compensation"
+        yield "between"
     if "object_bits" in text and "object_bits = 0" not in text:
         yield "merge"
 

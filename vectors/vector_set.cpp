@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "model/formats/field_value.hpp"
 #include "model/formats/stream_list.hpp"
 #include "model/pipeline/engine.hpp"
 #include "ref/error.hpp"
@@ -153,6 +154,26 @@ std::string write_unit_set(const std::string& folder, const VectorSetOptions& op
   return write_streams(folder, options, stamp.x, stamp.y, unit.layouts(), std::move(described), capture, progress);
 }
 
+Json described_frames(const std::vector<NamedFrame>& frames) {
+  Json described = Json::array();
+  for (const NamedFrame& frame : frames) {
+    described.push_back({{"width", frame.scene.width},
+                         {"height", frame.scene.height},
+                         {"background", frame.scene.background},
+                         {"triangles", frame.scene.triangles.size()},
+                         {"note", frame.note}});
+  }
+  return described;
+}
+
+// A word of `motion` that shows no face: it ends a frame whose last stamp is empty.
+RawMotion ending_word(const Layout& layout, const Word& word) {
+  RawMotion out;
+  out.x = int(field_value(word, field_named(layout, "x")));
+  out.y = int(field_value(word, field_named(layout, "y")));
+  return out;
+}
+
 // Whether a stream comes or goes at a port of hs_pipeline, or is the one that a frame's end is told by.
 bool is_of_ports(const Layout& layout) { return is_port(layout.row) || layout.stream == "scan"; }
 
@@ -165,14 +186,6 @@ std::string write_vector_set(const std::string& folder, const VectorSetOptions& 
   const Configuration& configuration = options.configuration;
   const auto engine = make_engine(configuration, options.lanes);
   engine->reuse_indices(options.window);
-  Json described = Json::array();
-  for (const NamedFrame& frame : frames) {
-    described.push_back({{"width", frame.scene.width},
-                         {"height", frame.scene.height},
-                         {"background", frame.scene.background},
-                         {"triangles", frame.scene.triangles.size()},
-                         {"note", frame.note}});
-  }
   std::vector<Layout> layouts = engine->layouts();
   if (options.ports)
     layouts.erase(std::remove_if(layouts.begin(), layouts.end(), [](const Layout& l) { return !is_of_ports(l); }),
@@ -183,8 +196,38 @@ std::string write_vector_set(const std::string& folder, const VectorSetOptions& 
       if (!options.ports || is_of_ports(layout)) sink(layout, words, count);
     });
   };
-  return write_streams(folder, options, engine->lanes_x(), engine->lanes_y(), layouts, std::move(described), capture,
-                       progress);
+  return write_streams(folder, options, engine->lanes_x(), engine->lanes_y(), layouts, described_frames(frames),
+                       capture, progress);
+}
+
+std::string write_between_set(const std::string& folder, const VectorSetOptions& options,
+                              const std::vector<NamedFrame>& frames,
+                              const std::function<void(std::size_t, std::size_t)>& progress) {
+  const Configuration& configuration = options.configuration;
+  const Compensator compensator(configuration);
+  const auto engine = make_engine(configuration, options.lanes);
+  std::vector<Layout> layouts = engine->layouts();
+  for (const Layout& layout : compensator.layouts()) {
+    if (layout.stream != "motion") layouts.push_back(layout);
+  }
+  const auto capture = [&](std::size_t n, Json&, const WordSink& sink) {
+    const ref::SnappedList& scene = frames[n].scene;
+    load_frame(*engine, configuration.config(), frames[n]);
+    std::vector<RawMotion> motion = engine->motion(scene, nullptr);
+    engine->capture(scene, [&](const Layout& layout, const Word* words, std::size_t count) {
+      sink(layout, words, count);
+      if (layout.stream == "motion" && count > motion.size()) motion.push_back(ending_word(layout, words[count - 1]));
+    });
+    std::vector<StreamWords> streams;
+    const NamedCompensation between =
+        between_frame(configuration.config(), scene.width, scene.height, std::move(motion), options.seed + n);
+    compensator.capture(between.input(), streams);
+    for (const StreamWords& stream : streams) {
+      if (stream.layout.stream != "motion") sink(stream.layout, stream.words.data(), stream.words.size());
+    }
+  };
+  return write_streams(folder, options, engine->lanes_x(), engine->lanes_y(), layouts, described_frames(frames),
+                       capture, progress);
 }
 
 std::string write_compensation_set(const std::string& folder, const VectorSetOptions& options,

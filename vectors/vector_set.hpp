@@ -33,6 +33,11 @@ std::string write_vector_set(const std::string& folder, const VectorSetOptions& 
 std::string write_compensation_set(const std::string& folder, const VectorSetOptions& options,
                                    const std::vector<NamedCompensation>& frames,
                                    const std::function<void(std::size_t, std::size_t)>& progress);
+// Frames of a configuration with motion, and what motion_compensate makes of each in the order of scan, from key frames
+// of `options.seed`: the streams of both.
+std::string write_between_set(const std::string& folder, const VectorSetOptions& options,
+                              const std::vector<NamedFrame>& frames,
+                              const std::function<void(std::size_t, std::size_t)>& progress);
 std::string write_merge_set(const std::string& folder, const VectorSetOptions& options,
                             const std::vector<NamedMerge>& runs,
                             const std::function<void(std::size_t, std::size_t)>& progress);

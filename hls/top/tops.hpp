@@ -5,6 +5,7 @@
 #define HALFSPACE_HLS_TOP_TOPS_HPP_
 
 #include "hls/top/composed/frame_word.hpp"
+#include "hls/top/composed/key_memory.hpp"
 #include "hls/top/ports/ports.hpp"
 
 extern "C" {
@@ -200,6 +201,16 @@ void back_motion_top(
     halfspace::MemoryWord<halfspace::MotionPlanes>
         motion_database[halfspace::MotionDatabase<halfspace::TopFormats>::kWords],
     halfspace::Port<halfspace::FrameWord>& frame, halfspace::Port<halfspace::Motion>& motion);
+
+// The motion field and along it the colours, from key frames in memories.
+void back_compensate_top(
+    halfspace::MemoryWord<halfspace::IndexStamp> index_buffer[halfspace::IndexBuffer<halfspace::TopFormats>::kWords],
+    halfspace::MemoryWord<halfspace::MotionPlanes>
+        motion_database[halfspace::MotionDatabase<halfspace::TopFormats>::kWords],
+    halfspace::MemoryWord<halfspace::TopKeyBlock> key_frame_0[halfspace::KeyMemory<halfspace::TopFormats>::kWords],
+    halfspace::MemoryWord<halfspace::TopKeyBlock> key_frame_1[halfspace::KeyMemory<halfspace::TopFormats>::kWords],
+    halfspace::Port<halfspace::FrameWord>& frame, halfspace::Port<halfspace::KeyWeightWord>& key_weight,
+    halfspace::Port<halfspace::Compensated>& compensated);
 
 // With the depth and the object of each pixel, for ztest_merge_top.
 void back_objects_top(

@@ -141,7 +141,7 @@ void check(const CompensationInput& input, const Configuration& configuration) {
 template <int N>
 CompensatedFrame compensate(const CompensationInput& input, const Config& config, std::vector<StreamWords>* streams) {
   std::vector<RawMotion> motion = input.motion;
-  order_by_tiles(motion, config);
+  if (input.by_tiles) order_by_tiles(motion, config);
   if (motion.empty()) motion.emplace_back();  // the word that ends a frame
   CompensationFrame<F> frame;
   frame.width = from_raw<F::X>(input.width);

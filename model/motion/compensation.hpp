@@ -28,6 +28,7 @@ struct CompensationInput {
   std::array<const KeyFrame*, 2> key{};
   std::vector<RawMotion> motion;  // in any order
   int weight = 0;                 // of key 0, 0 … 2^weight_bits; key 1 has the rest
+  bool by_tiles = true;           // words go by tiles of a key frame, which its cache likes; else as they come
 };
 
 struct CompensatedPixel {

@@ -17,7 +17,8 @@ EXPECTED = {"raster_pineda": "stamp", "raster_pineda_plane": "triangle_depth", "
             "shade_setup_lit": "planes", "light_vertex": "colours", "phong_setup": "planes",
             "texture_setup": "texture_planes", "motion_setup": "motion_planes", "scan_index": "scan",
             "motion_field": "motion", "ztest_merge": "found", "motion_compensate": "compensated",
-            "front": "visible", "back": "pixel", "pipeline": "pixel"}
+            "front": "visible", "back": "pixel", "pipeline": "pixel",
+            "back_compensate": "compensated"}
 
 
 def run(bench, top, folder):

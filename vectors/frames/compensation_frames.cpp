@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <random>
+#include <utility>
 
 namespace halfspace::model {
 namespace {
@@ -58,12 +59,34 @@ class Maker {
     }
     const KeyFrame& key = frame.key[std::size_t(below(2))];
     const RawKeyVector& v = out.key[std::size_t(below(2))];
+    out.face = one_in(4) ? std::uint32_t(std::min(below(6), most_face())) : key.face[place(key, x, y, v)];
+    return out;
+  }
+
+  // Of the pixel of a key frame, or the nearest, that a vector leads to.
+  std::size_t place(const KeyFrame& key, int x, int y, const RawKeyVector& v) const {
     const int one = c_.samples << c_.vector_fraction, half = 1 << (c_.vector_fraction - 1);
     const int at_x = std::clamp(((2 * x + 1) * half + v.x) / one, 0, key.width - 1);
     const int at_y = std::clamp(((2 * y + 1) * half + v.y) / one, 0, key.height - 1);
-    out.face =
-        one_in(4) ? std::uint32_t(std::min(below(6), most_face())) : key.face[std::size_t(at_y) * key.width + at_x];
-    return out;
+    return std::size_t(at_y) * key.width + at_x;
+  }
+
+  void keys(NamedCompensation& frame, int patch, bool extreme) {
+    frame.weight = below((1 << c_.weight_bits) + 1);
+    const int s = c_.samples;
+    for (KeyFrame& key : frame.key) {
+      key = this->key((frame.width + s - 1) / s, (frame.height + s - 1) / s, patch, extreme);
+    }
+  }
+
+  // Three in four vectors find the face of their word.
+  void show(NamedCompensation& frame) {
+    for (const RawMotion& word : frame.motion) {
+      for (std::size_t k = 0; k < frame.key.size(); ++k) {
+        KeyFrame& key = frame.key[k];
+        if (word.key[k].there && !one_in(4)) key.face[place(key, word.x, word.y, word.key[k])] = word.face;
+      }
+    }
   }
 
   // `words` = 0: every pixel, in order; else so many anywhere.
@@ -71,9 +94,7 @@ class Maker {
     NamedCompensation out;
     out.note = note;
     out.width = std::min(width, c_.width), out.height = std::min(height, c_.height);
-    out.weight = below((1 << c_.weight_bits) + 1);
-    const int s = c_.samples;
-    for (KeyFrame& key : out.key) key = this->key((out.width + s - 1) / s, (out.height + s - 1) / s, patch, extreme);
+    keys(out, patch, extreme);
     for (int n = 0; n < (words ? words : out.width * out.height); ++n) {
       const int x = words ? below(out.width) : n % out.width, y = words ? below(out.height) : n / out.width;
       out.motion.push_back(word(out, x, y, reach, extreme));
@@ -114,6 +135,18 @@ NamedCompensation warm_frame(const Config& config, int words, std::uint64_t seed
   Maker make(config, seed);
   const int side = 2 * kKeyTile * config.samples;  // four tiles, which a cache holds
   return make.frame("four tiles", side, side, 6, 2, words, false);
+}
+
+NamedCompensation between_frame(const Config& config, int width, int height, std::vector<RawMotion> motion,
+                                std::uint64_t seed) {
+  Maker make(config, seed);
+  NamedCompensation out;
+  out.width = width, out.height = height;
+  out.motion = std::move(motion);
+  out.by_tiles = false;
+  make.keys(out, 5, false);
+  make.show(out);
+  return out;
 }
 
 }  // namespace halfspace::model

@@ -209,6 +209,24 @@ void frame_of_back_motion(B& bench) {
 }
 
 template <class B>
+void frame_of_back_compensate(B& bench) {
+  using F = TopFormats;
+  static KeyFrames keys;
+  static KeyWeightWord<F> weight{};  // a set has a word where it changes
+  for (const KeyWeightWord<F>& word : bench.template records<KeyWeightWord<F>>("key_weight")) weight = word;
+  keys.load(bench);
+  ShadeBench<MotionPlanes, MotionDatabase<F>> shade(bench, "motion_planes");
+  Port<KeyWeightWord> key_weight;
+  Port<Compensated> compensated;
+  key_weight.write(packed(weight));
+  bench.announce(6, bench.template records<Compensated<F>>("compensated").size());
+  back_compensate_top(shade.drawn().index, shade.database(), keys.key_0, keys.key_1, shade.frame, key_weight,
+                      compensated);
+  bench.template expect<Compensated<F>>("compensated", compensated);
+  shade.expect_cleared(bench);
+}
+
+template <class B>
 void frame_of_back_objects(B& bench) {
   static MemoryWord<ObjectEntry> objects[ObjectTable<TopFormats>::kWords];
   store_objects(bench, objects);

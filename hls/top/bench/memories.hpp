@@ -4,6 +4,7 @@
 #define HALFSPACE_HLS_TOP_BENCH_MEMORIES_HPP_
 
 #include "hls/top/bench/bench.hpp"
+#include "hls/top/composed/key_memory.hpp"
 
 namespace halfspace {
 
@@ -73,6 +74,31 @@ struct Textures {
 
   MemoryWord<TextureEntry> table[TextureTable<F>::kWords];
   MemoryWord<TexelColour> texels[TextureMemory<F>::kWords];
+};
+
+// The tiles of key frames that a set asks for; no other is read.
+struct KeyFrames {
+  using F = TopFormats;
+
+  template <class B>
+  void load(B& bench) {
+    load(bench, "key_request_0", "key_block_0", key_0);
+    load(bench, "key_request_1", "key_block_1", key_1);
+  }
+
+  MemoryWord<TopKeyBlock> key_0[KeyMemory<F>::kWords], key_1[KeyMemory<F>::kWords];
+
+ private:
+  template <class B>
+  void load(B& bench, const char* requests, const char* blocks, MemoryWord<TopKeyBlock> (&key)[KeyMemory<F>::kWords]) {
+    const std::vector<TopKeyBlock<F>> words = bench.template records<TopKeyBlock<F>>(blocks);
+    std::size_t n = 0;
+    for (const KeyRequest<F>& tile : bench.template records<KeyRequest<F>>(requests)) {
+      const int number = int(raw(tile.tile_y)) * key_tiles<F>(bench.size().width) + int(raw(tile.tile_x));
+      for (int block = 0; block < KeyMemory<F>::kBlocks; ++block)
+        key[number * KeyMemory<F>::kBlocks + block] = packed(words[n++]);
+    }
+  }
 };
 
 // What a set has of TdbS.

@@ -1,21 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hls/motion/motion_field.hpp"
+#include "hls/top/composed/field_process.hpp"
 #include "hls/top/composed/scan_process.hpp"
 #include "hls/top/tops.hpp"
 
 using namespace halfspace;
 
 namespace {
-
-void field_process(MemoryWord<MotionPlanes> database[MotionDatabase<TopFormats>::kWords], Port<Scan>& scan,
-                   Port<Motion>& motion) {
-  using F = TopFormats;
-  static_assert(F::kHasMotion, "motion_field is of configurations with motion");
-  MotionDatabase<F> view = {Words<MotionPlanes<F>>(database)};
-  View<Scan> scan_words(scan);
-  View<Motion> motion_words(motion);
-  motion_field_frame(scan_words, view, motion_words);
-}
 
 class BackMotion {
  public:
