@@ -7,8 +7,8 @@ namespace {
 constexpr struct {
   const char* name;
   Scene (*make)();
-} kScenes[] = {{"teapot", teapot}, {"cube", cube},     {"pyramid", pyramid},      {"wheel", wheel},
-               {"ring", ring},     {"castle", castle}, {"polyhedron", polyhedron}};
+} kScenes[] = {{"teapot", teapot}, {"cube", cube},     {"pyramid", pyramid},       {"wheel", wheel},
+               {"ring", ring},     {"castle", castle}, {"polyhedron", polyhedron}, {"two_tone", two_tone}};
 
 }  // namespace
 

@@ -18,6 +18,7 @@ Scene pyramid();     // square base, a colour a face
 Scene wheel();       // rim, hub and spokes
 Scene ring();        // a torus
 Scene polyhedron();  // two triangles through each other, seen from both sides
+Scene two_tone();    // a body of 24 triangles in two colours, seen from both sides
 Scene castle();      // walls and towers that cover each other
 
 }  // namespace halfspace::ref

@@ -109,4 +109,27 @@ Scene polyhedron() {
   return scene;
 }
 
+// A cube with a low roof on each side. Neighbours have different colours: on a side by turns, and of the two sides at
+// an edge of the cube one has its first corners along it and the other its second. In the order of its sides, of which
+// those behind come before and after those in front of them; none is culled.
+Scene two_tone() {
+  constexpr double kRoof = 1.5;
+  MeshBuilder builder;
+  for (int side = 0; side < 6; ++side) {
+    const int x = side / 2, y = (x + 1) % 3, z = (x + 2) % 3;
+    const double out = side % 2 ? 1 : -1;
+    glm::dvec3 outward(0), right(0), up(0);
+    outward[x] = out, right[y] = out, up[z] = 1;
+    const glm::dvec3 corners[4] = {outward - right - up, outward + right - up, outward + right + up,
+                                   outward - right + up};
+    for (int i = 0; i < 4; ++i) {
+      builder.colour = i % 2 == 0 ? glm::dvec3(0.95, 0.55, 0.15) : glm::dvec3(0.20, 0.50, 0.90);
+      builder.polygon({corners[i], corners[(i + 1) % 4], kRoof * outward});
+    }
+  }
+  Material material = plastic(0.2, 20);
+  material.two_sided = true;
+  return std::move(builder).scene(material);
+}
+
 }  // namespace halfspace::ref

@@ -89,7 +89,11 @@ FourRates measure_architectures(const ref::Scene& scene, const std::string& conf
   for (std::size_t n = 0; n < rates.size(); ++n) {
     ref::Geometry geometry(scene, {width, height, format.range_bits, format.subpixel_bits});
     const ref::SnappedList list = ref::snap(geometry.positions(), format);
-    const auto surface = ref::lit_surface(geometry, list, mode);
+    auto surface = ref::lit_surface(geometry, list, mode);
+    if (!scene.textures.empty()) {
+      surface = ref::textured_surface(std::move(surface), geometry, list,
+                                      {ref::TextureFilter::kNearest, ref::TextureMapping::kAffine});
+    }
     constexpr std::uint32_t kInFlight = 64;
     ref::Drawing drawing = ref::draw(list, *surface, ref::kArchitectures[n], true, {kInFlight});
     rates[n] = {drawing.rates, drawing.buffers};
@@ -101,6 +105,15 @@ FourRates measure_architectures(const ref::Scene& scene, const std::string& conf
     }
   }
   return rates;
+}
+
+ref::Scene culled(ref::Scene scene, bool cull) {
+  for (ref::Material& material : scene.materials) material.two_sided = !cull;
+  return scene;
+}
+
+double even_pixel_bits(const BufferBytes& beta, const BufferBytes& gamma, const ref::BufferUse& pixel) {
+  return 8 * (gamma.total() - (beta.total() - beta.pixel)) / double(pixel.read + pixel.written);
 }
 
 }  // namespace halfspace::model

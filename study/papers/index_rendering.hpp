@@ -17,10 +17,10 @@ namespace halfspace::model {
 // A level of hardware as the paper has them; `config` names the configuration of which it takes the number formats.
 struct HardwareLevel {
   const char* config;
-  int triangles;    // a frame at most: 2 M, 480 k, 96 k a second, to the next power of two
-  int frames;       // a second
-  int normal_bits;  // fraction bits of a component of a normal, for Phong shading
-  std::vector<std::pair<int, int>> sizes;
+  int triangles;                           // a frame at most: 2 M, 480 k, 96 k a second, to the next power of two
+  int frames;                              // a second
+  int normal_bits;                         // fraction bits of a component of a normal, for Phong shading
+  std::vector<std::pair<int, int>> sizes;  // the paper names 800x600, twice, 640x480 and 320x200; the others are ours
 };
 const std::vector<HardwareLevel>& hardware_levels();  // high first
 
@@ -41,8 +41,8 @@ struct BufferBytes {
 BufferBytes buffer_sizes(const HardwareLevel&, int width, int height, ref::Architecture, ref::ShadingMode, WidePixel);
 // Read and written a frame.
 BufferBytes buffer_traffic(const ref::BufferUses&, const BufferBits&);
-// Accesses of the worst frame: all triangles that the level takes are visible, each with kTrianglePixels fragments, all
-// of which pass.
+// Accesses of the worst frame: all triangles that the level takes are visible, as the paper says, each with
+// kTrianglePixels fragments, all of which pass, which are ours: it prints neither. Each pixel reads TdbS.
 constexpr int kTrianglePixels = 50;
 ref::BufferUses largest_uses(const HardwareLevel&, int width, int height, ref::Architecture);
 
@@ -53,8 +53,15 @@ struct ArchitectureRates {
 };
 using FourRates = std::array<ArchitectureRates, 4>;  // in the order of kArchitectures
 
-// Draws the scene in `config`'s positions and depth. Throws ref::Error when two of the pictures differ.
+// Draws the scene in `config`'s positions and depth, with the textures that it has, if any: nearest texels, by planes
+// of u and v. Throws ref::Error when two of the pictures differ.
 FourRates measure_architectures(const ref::Scene&, const std::string& config, int width, int height, ref::ShadingMode);
+
+// With its back faces culled, or all of them drawn.
+ref::Scene culled(ref::Scene, bool cull);
+
+// The bits of beta's wide pixel with which gamma and beta move the same number of bytes: with fewer gamma moves more.
+double even_pixel_bits(const BufferBytes& beta, const BufferBytes& gamma, const ref::BufferUse& pixel);
 
 }  // namespace halfspace::model
 

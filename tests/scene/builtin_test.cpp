@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "tests/geometry/three_formats.hpp"
 
@@ -45,7 +46,7 @@ TEST(Scenes, SolidsAreClosedAndOutsideOut) {
   const auto place = [](const glm::dvec3& p) {
     return Place{std::lround(p.x * 1e6), std::lround(p.y * 1e6), std::lround(p.z * 1e6)};
   };
-  for (const char* name : {"cube", "pyramid", "ring", "wheel"}) {
+  for (const char* name : {"cube", "pyramid", "ring", "wheel", "two_tone"}) {
     for (const Mesh& mesh : load_scene(name).meshes) {
       std::map<std::pair<Place, Place>, int> balance;
       double volume = 0;
@@ -60,6 +61,26 @@ TEST(Scenes, SolidsAreClosedAndOutsideOut) {
       EXPECT_GT(volume, 0) << name << " " << mesh.name;
       for (const auto& [edge, count] : balance) ASSERT_EQ(count, 0) << name << " " << mesh.name;
     }
+  }
+}
+
+// Which is why it is said to be of two colours: across an edge lies the other one.
+TEST(Scenes, NeighboursInTwoToneDiffer) {
+  const Mesh mesh = load_scene("two_tone").meshes.at(0);
+  EXPECT_EQ(mesh.triangles.size(), 24u);
+  std::map<std::set<std::array<double, 3>>, std::vector<double>> red;  // of the triangles at an edge
+  for (const auto& t : mesh.triangles) {
+    for (int i = 0; i < 3; ++i) {
+      std::set<std::array<double, 3>> edge;
+      for (const std::uint32_t v : {t[i], t[(i + 1) % 3]})
+        edge.insert({mesh.positions[v].x, mesh.positions[v].y, mesh.positions[v].z});
+      red[edge].push_back(mesh.colours[t[i]].r);
+    }
+  }
+  EXPECT_EQ(red.size(), 36u);
+  for (const auto& [edge, of] : red) {
+    ASSERT_EQ(of.size(), 2u);
+    EXPECT_NE(of[0], of[1]);
   }
 }
 
