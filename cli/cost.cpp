@@ -188,7 +188,8 @@ void cost(const CostOptions& options) {
       options.scene, options.size, options.lanes, options.lights, "", "cycles", "slowest unit", "MUL/pixel", "B/pixel",
       "of cycles", "triangles", "words", "tiles");
   for (const int samples : {1, 4}) {
-    const model::Configuration named = model::find_configuration(samples == 1 ? options.config : "high");
+    const model::Configuration chosen = model::find_configuration(samples == 1 ? options.config : "high");
+    const model::Configuration named = has_lighting(chosen.config()) ? model::unlit_configuration(chosen) : chosen;
     const int scale = samples;
     const ref::View view{size.width * scale, size.height * scale, named.config().range_bits,
                          named.config().subpixel_bits};

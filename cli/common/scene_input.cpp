@@ -201,7 +201,8 @@ LoadedScene load_between(const SceneInput& input, const model::Configuration& co
                      configuration, [scene](const ref::View& v) { return ref::project(*scene, v); },
                      scene,         between};
   if (!relights(configuration.config())) return loaded;
-  loaded.change = model::light_changes(*scene, {&keys[0], &keys[1]}, view, format.colour_bits, false);
+  loaded.change =
+      model::light_changes(*scene, {&keys[0], &keys[1]}, view, model::colour_configuration(configuration).config());
   return loaded;
 }
 

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "model/motion/motion.hpp"
+#include "model/shade/frame_lighting.hpp"
+#include "model/shade/lighting.hpp"
 #include "model/texture/texture.hpp"
 #include "ref/error.hpp"
 #include "ref/objects/static_instances.hpp"
@@ -126,6 +128,16 @@ Configuration colour_configuration(const Configuration& motion) {
   return Configuration("colour_of_" + motion.name(), c);
 }
 
+Configuration unlit_configuration(const Configuration& lit) {
+  Config c = lit.config();
+  for (const ConfigField& field : config_fields()) {
+    if (field.part == Part::kLighting) field.set(c, 0);
+  }
+  c.shading = Shading::kGouraud;
+  c.colour_fraction = least_fraction(c, c.colour_bits);
+  return Configuration("unlit_" + lit.name(), c);
+}
+
 Configuration textured_configuration(const Configuration& colour, TextureFilter filter) {
   Config c = colour.config();
   c.texture = filter;
@@ -138,12 +150,15 @@ Configuration textured_configuration(const Configuration& colour, TextureFilter 
 }
 
 ref::OfKeys<ref::LightChange> light_changes(const ref::Scene& between, const ref::OfKeys<const ref::Scene*>& keys,
-                                            const ref::View& view, int colour_bits, bool textured) {
+                                            const ref::View& view, const Config& colour) {
   ref::OfKeys<ref::LightChange> change;
   ref::Geometry lit(between, view);
+  const int bits = colour.colour_bits;
+  const bool textured = has_texture(colour);
   for (std::size_t k = 0; k < keys.size(); ++k) {
     ref::Geometry key(*keys[k], view);
-    change[k] = ref::light_change(lit, key, colour_bits, textured);
+    change[k] = has_lighting(colour) ? ref::distant_light_change(lit, key, most_squarings(colour), bits, textured)
+                                     : ref::light_change(lit, key, bits, textured);
   }
   return change;
 }
@@ -166,20 +181,15 @@ KernelUpConverter::KernelUpConverter(const KernelUpConversion& mode)
                       mode.colour.name(), mode.motion.name(), named.name));
     }
   }
-  if (has_lighting(colour)) {
-    throw ref::Error(fmt::format(
-        "configuration {} lights in hardware, and frames in between are of triangles that come lit: take one "
-        "without lights",
-        mode.colour.name()));
-  }
   if (mode.half_field && motion_.samples != 1) {
     throw ref::Error(
         fmt::format("configuration {}: half a field has no samples: take one with samples = 1", mode.motion.name()));
   }
-  if (mode.static_buffer && (mode.half_field || mode.method != ref::MotionMethod::kExact || !stores_depth(colour))) {
+  if (mode.static_buffer &&
+      (mode.half_field || mode.method != ref::MotionMethod::kExact || !stores_depth(colour) || has_lighting(colour))) {
     throw ref::Error(fmt::format(
-        "configuration {}: a static buffer needs exact motion, a vector a sample, and a Z-buffer, as what moves "
-        "is held against its depths: leave it out here",
+        "configuration {}: a static buffer needs exact motion, a vector a sample, triangles that come lit, and a "
+        "Z-buffer, as what moves is held against its depths: leave it out here",
         mode.colour.name()));
   }
 }
@@ -189,7 +199,9 @@ ref::View KernelUpConverter::view(int scale) const {
 }
 
 ref::DrawnFrame KernelUpConverter::drawn(ref::Geometry& geometry) {
-  if (has_texture(mode_.colour.config())) colour_engine_->texture(texture_frame(geometry, mode_.colour.config()));
+  const Config colour = mode_.colour.config();
+  if (has_lighting(colour)) colour_engine_->light(frame_lighting(geometry, colour));
+  if (has_texture(colour)) colour_engine_->texture(texture_frame(geometry, colour));
   const ref::TriangleList list = ref::lit_triangles(geometry);
   ref::Frame frame = colour_engine_->render(ref::snap(list, raster_format(mode_.colour)));
   for (std::uint32_t& shown : frame.index) shown = ref::face_of(list, shown);
@@ -220,8 +232,7 @@ std::vector<RawMotion> KernelUpConverter::field(const ref::Scene& between, doubl
   ref::Between motion = ref::follow(mode_.method, *scenes_[0], *scenes_[1], between, a, seen);
   ref::OfKeys<ref::LightChange> change;
   if (relights(motion_)) {
-    change = light_changes(between, {&*scenes_[0], &*scenes_[1]}, seen, motion_.colour_bits,
-                           has_texture(mode_.colour.config()));
+    change = light_changes(between, {&*scenes_[0], &*scenes_[1]}, seen, mode_.colour.config());
   }
   if (!still.empty()) leave_out(still, between, motion, change);
   motion_engine_->move(motion_frame(motion, motion_, change));

@@ -29,12 +29,16 @@ Configuration motion_configuration(const Configuration& colour, const Config& mo
 // What draws the key frames of a motion configuration: Gouraud shading on the same triangles.
 Configuration colour_configuration(const Configuration& motion);
 
+// What draws the triangles of a configuration that lights, come lit: Gouraud shading.
+Configuration unlit_configuration(const Configuration& lit);
+
 // What draws the frames of `colour` with textures: a memory of 65,536 texels, in perspective.
 Configuration textured_configuration(const Configuration& colour, TextureFilter filter);
 
-// Of the triangles that `between` has in a view, from each key.
+// Of the triangles that `between` has in a view, from each key, in frames of configuration `colour`: as it lights, or
+// in the colours of triangles that come lit.
 ref::OfKeys<ref::LightChange> light_changes(const ref::Scene& between, const ref::OfKeys<const ref::Scene*>& keys,
-                                            const ref::View& view, int colour_bits, bool textured);
+                                            const ref::View& view, const Config& colour);
 
 struct KernelUpConversion {
   int width, height;     // of a frame; even for half a field

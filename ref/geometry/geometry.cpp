@@ -100,8 +100,7 @@ std::array<glm::dvec3, 3> Geometry::colours(const Origin& origin) {
   return colours;
 }
 
-std::array<glm::dvec3, 3> Geometry::normals(std::size_t k) const {
-  const Origin& origin = origins_[k];
+std::array<glm::dvec3, 3> Geometry::normals(const Origin& origin) const {
   std::array<glm::dvec3, 3> of_corner, normals;
   for (int i = 0; i < 3; ++i) of_corner[i] = normal(origin, origin.corner[i]);
   for (int v = 0; v < 3; ++v) {

@@ -54,7 +54,8 @@ class Geometry {
   std::uint64_t lit_corners() const { return lit_corners_; }
 
   // In the world, on the side that is seen, of length 1 unless the triangle was clipped.
-  std::array<glm::dvec3, 3> normals(std::size_t k) const;
+  std::array<glm::dvec3, 3> normals(std::size_t k) const { return normals(origins_[k]); }
+  std::array<glm::dvec3, 3> normals(const Origin&) const;
   // −1 where the material has no texture or the mesh no coordinates.
   int texture(std::size_t k) const;
   // (u, v) of the vertices of a triangle that has a texture.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ref/motion/relight.hpp"
 
+#include "ref/geometry/distant_lighting.hpp"
 #include "ref/geometry/plane.hpp"
 
 namespace halfspace::ref {
@@ -29,9 +30,11 @@ Origin seen_in(const Geometry& geometry, Origin origin) {
   return origin;
 }
 
-}  // namespace
+using Colours3 = std::array<glm::dvec3, 3>;
 
-LightChange light_change(Geometry& between, Geometry& key, int colour_bits, bool textured) {
+// `here` and `there` give the colours of the vertices of triangle k, in between and at the key.
+template <class Here, class There>
+LightChange change_of(const Geometry& between, int colour_bits, bool textured, Here here, There there) {
   std::vector<glm::dvec3> means;
   for (const Texture& texture : between.scene().textures) means.push_back(mean(texture));
   const auto rounded = [&](double colour) {
@@ -39,15 +42,38 @@ LightChange light_change(Geometry& between, Geometry& key, int colour_bits, bool
   };
   LightChange change;
   for (std::size_t k = 0; k < between.origins().size(); ++k) {
-    const auto here = between.colours(k), there = key.colours(seen_in(key, between.origins()[k]));
+    const Colours3 from = there(k), to = here(k);
     const int texture = textured ? between.texture(k) : -1;
     auto& of_vertex = change.emplace_back();
     for (int v = 0; v < 3; ++v) {
-      for (int c = 0; c < 3; ++c) of_vertex[v][c] = rounded(here[v][c]) - rounded(there[v][c]);
+      for (int c = 0; c < 3; ++c) of_vertex[v][c] = rounded(to[v][c]) - rounded(from[v][c]);
       if (texture >= 0) of_vertex[v] *= means[texture];
     }
   }
   return change;
+}
+
+}  // namespace
+
+LightChange light_change(Geometry& between, Geometry& key, int colour_bits, bool textured) {
+  return change_of(
+      between, colour_bits, textured, [&](std::size_t k) { return between.colours(k); },
+      [&](std::size_t k) { return key.colours(seen_in(key, between.origins()[k])); });
+}
+
+LightChange distant_light_change(const Geometry& between, const Geometry& key, int most_squarings, int colour_bits,
+                                 bool textured) {
+  const DistantScene lit_here = distant_scene(between.scene(), between.viewpoint(), most_squarings);
+  const DistantScene lit_there = distant_scene(key.scene(), key.viewpoint(), most_squarings);
+  const auto colours = [&](const DistantScene& lit, std::size_t k, const Colours3& normals) {
+    const int material = lit.triangles[lit.of_face[between.positions().face[k] - 1]].material;
+    Colours3 out;
+    for (int v = 0; v < 3; ++v) out[v] = distant_colour(lit.materials[material], lit.lights, normals[v]);
+    return out;
+  };
+  return change_of(
+      between, colour_bits, textured, [&](std::size_t k) { return colours(lit_here, k, between.normals(k)); },
+      [&](std::size_t k) { return colours(lit_there, k, key.normals(seen_in(key, between.origins()[k]))); });
 }
 
 LightPlanes light_planes(const Between& between, const MotionField& field, const RasterFormat& format,

@@ -10,6 +10,9 @@ namespace halfspace::ref {
 
 // `between` is the frame, `key` the same scene at a key.
 LightChange light_change(Geometry& between, Geometry& key, int colour_bits, bool textured);
+// With lights at infinity, as hardware has them; `most_squarings` as distant_scene takes it.
+LightChange distant_light_change(const Geometry& between, const Geometry& key, int most_squarings, int colour_bits,
+                                 bool textured);
 
 // By planes, at each pixel of the field. `between` is the frame's of exact motion.
 LightPlanes light_planes(const Between& between, const MotionField&, const RasterFormat&, const OfKeys<LightChange>&);

@@ -40,7 +40,9 @@ struct Kind {
 };
 
 Configuration colour_of(const Kind& kind) {
-  const Configuration named = model::find_configuration(kind.config);
+  const std::string name = kind.config;
+  const bool built_in = name == "low" || name == "middle" || name == "high";
+  const Configuration named = model::find_configuration(built_in ? name : config_path(name));
   return kind.textured ? model::textured_configuration(named, TextureFilter::kBilinear) : named;
 }
 
@@ -55,6 +57,7 @@ ref::UpConversion reference_of(const Kind& kind, const Configuration& colour) {
   mode.samples = kind.samples;
   mode.mapping = ref::VectorMapping::kPerspective;
   mode.relight = true;
+  if (is_phong(colour.config())) mode.shading = ref::ShadingMode::kPhong;
   if (kind.textured) mode.texture = ref::TextureMode{};
   return mode;
 }
@@ -111,6 +114,9 @@ TEST_P(UpConversion, IsNearToWhatIsRendered) {
 
 INSTANTIATE_TEST_SUITE_P(Kinds, UpConversion,
                          testing::Values(Kind{"gouraud", "middle", false, 1, 320, 240, {1, 2, 3, 4}, 60},
+                                         Kind{"lit", "lit_middle", false, 1, 320, 240, {2}, 70},
+                                         Kind{"phong", "phong_middle", false, 1, 320, 240, {2}, 70},
+                                         Kind{"phong_textured", "phong_middle", true, 1, 320, 240, {2}, 45},
                                          Kind{"textured", "middle", true, 1, 320, 240, {1, 2, 3, 4}, 46},
                                          Kind{"supersampled", "high", false, 4, 160, 120, {2}, 56},
                                          Kind{"supersampled_textured", "high", true, 4, 320, 240, {2}, 47}),
@@ -151,7 +157,9 @@ TEST(UpConversionFormats, RefusesWhatDoesNotFit) {
   EXPECT_THROW(KernelUpConverter({160, 100, low, model::motion_configuration(low, numbers, 320, 200),
                                   ref::MotionMethod::kExact, true}),
                ref::Error);
-  EXPECT_THROW(KernelUpConverter({160, 100, model::find_configuration(config_path("lit_low")), motion}), ref::Error);
+  model::KernelUpConversion lit{160, 100, model::find_configuration(config_path("lit_low")), motion};
+  lit.static_buffer = true;
+  EXPECT_THROW(KernelUpConverter{lit}, ref::Error);
 }
 
 }  // namespace
