@@ -52,6 +52,7 @@ void quality(const QualityOptions& options) {
   for (int n = 0; n < ref::kBlockClasses; ++n) fmt::print(" {:>10}", ref::name_of(ref::BlockClass(n)));
   fmt::print("\n");
   print("motion compensated", q.compensated);
+  if (q.alone) fmt::print("{:<20} {:>9.2f}\n", " its pixels alone", *q.alone);
   if (without) print("without S-buffer", without->compensated);
   print("temporal average", q.average);
   print("nearer key", q.repeat);
@@ -65,6 +66,8 @@ void quality(const QualityOptions& options) {
       100 * double(q.shares.filled) / shown,
       without ? fmt::format(", {:.2f} % of the S-buffer", 100 * double(q.shares.still) / shown) : "",
       fmt::join(ref::kBlockBorders, ", "));
+  fmt::print("its pixels alone: those of which no sample was rendered, for want of a key that shows it\n");
+  if (double(q.shares.filled) > 0.1 * shown) fmt::print("more than a tenth of the covered pixels is rendered ones\n");
   Json json = {{"scene", options.sequence.scene}, {"engine", options.sequence.engine}};
   json.update(to_json(q));
   if (without) {

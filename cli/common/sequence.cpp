@@ -44,6 +44,7 @@ class ReferenceConverter : public Converter {
     SequenceFrame out;
     out.shown = std::move(made.colour);
     out.rendered = std::move(made.rendered);
+    out.of_keys = std::move(made.of_keys);
     out.shares = made.shares;
     return out;
   }
@@ -64,6 +65,7 @@ class KernelConverter : public Converter {
     SequenceFrame out;
     out.shown = std::move(made.colour);
     out.rendered = std::move(made.rendered);
+    out.of_keys = std::move(made.of_keys);
     out.shares = made.shares;
     out.work = {made.triangles, made.static_triangles, made.words, made.misses[0] + made.misses[1], made.cycles};
     return out;

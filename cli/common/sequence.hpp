@@ -46,6 +46,7 @@ struct SequenceFrame {
   ref::Colours shown;            // compensated; a key as it is drawn
   ref::Colours rendered;         // without up-conversion
   ref::Colours average, repeat;  // of the keys; empty of a key
+  std::vector<bool> of_keys;     // pixels that are made of keys alone
   ref::Shares shares;
   Work work;
 };

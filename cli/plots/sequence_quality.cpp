@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <numeric>
+
 #include "cli/plots/gnuplot.hpp"
 #include "cli/plots/video.hpp"
 #include "ref/error.hpp"
@@ -51,8 +53,9 @@ SequenceQuality measure_sequence(const SequenceOptions& options, bool with_minte
   const FrameSize size = parse_size(options.size);
   std::vector<ref::Colours> rendered;
   ref::MeanQuality compensated, average, repeat;
+  std::vector<double> alone;
   const auto begin = [&] {
-    out = {}, rendered.clear();
+    out = {}, rendered.clear(), alone.clear();
     compensated = average = repeat = {};
   };
   out.sequence = run_sequence(options, begin, [&](const SequenceFrame& frame) {
@@ -63,6 +66,7 @@ SequenceQuality measure_sequence(const SequenceOptions& options, bool with_minte
     };
     const ref::Quality made = against(frame.shown), mean = against(frame.average);
     compensated.add(made), average.add(mean), repeat.add(against(frame.repeat));
+    if (const auto psnr = ref::psnr_y_of(frame.shown, frame.rendered, frame.of_keys)) alone.push_back(*psnr);
     out.blocks.push_back(made.blocks), out.average_blocks.push_back(mean.blocks);
     add(out.shares, frame.shares);
     add(out.work, frame.work);
@@ -70,6 +74,7 @@ SequenceQuality measure_sequence(const SequenceOptions& options, bool with_minte
   out.between = compensated.frames();
   if (out.between == 0) return out;
   out.compensated = compensated.mean(), out.average = average.mean(), out.repeat = repeat.mean();
+  if (!alone.empty()) out.alone = std::accumulate(alone.begin(), alone.end(), 0.0) / double(alone.size());
   if (!with_minterpolate) return out;
   try {
     out.minterpolate = quality_of_minterpolate(out.sequence, rendered);
@@ -105,6 +110,7 @@ Json to_json(const SequenceQuality& q) {
                  {"copied", q.shares.copied},
                  {"rendered", q.shares.filled},
                  {"static", q.shares.still}}}};
+  if (q.alone) json["of_keys_alone_psnr_y_db"] = *q.alone;
   json.update(to_json(q.work, q.sequence.tile_bytes));
   if (q.minterpolate) json["minterpolate"] = quality_json(*q.minterpolate);
   return json;

@@ -18,6 +18,7 @@ struct SequenceQuality {
   Sequence sequence;
   int between = 0;
   ref::Quality compensated, average, repeat;
+  std::optional<double> alone;  // PSNR_Y of the pixels that are made of keys alone, of frames that have such
   std::optional<ref::Quality> minterpolate;
   std::string no_minterpolate;  // why there is none, if it was asked for
   ref::Shares shares;           // of pixels of the field, all frames

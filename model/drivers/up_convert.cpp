@@ -291,17 +291,21 @@ KernelFrameBetween KernelUpConverter::at(const ref::Scene& between, double a) {
   ref::Colours colour = whole.colour;  // holes and background
   if (!still.empty()) out.shares.still = show_static(colour);
   out.shares.background = colour.size() - out.words - out.shares.still;
+  std::vector<std::uint8_t> keys(colour.size(), 0);
+  std::vector<std::uint32_t> shows(colour.size(), 0);
   for (const CompensatedPixel& pixel : made.pixels) {
     if (out.words == 0) break;  // the word that ends a frame
+    const std::size_t place = std::size_t(pixel.y) * whole.width + pixel.x;
+    keys[place] = std::uint8_t(pixel.keys), shows[place] = 1;
     if (pixel.keys == 0) {
       ++out.shares.filled;
       continue;
     }
     ++(pixel.keys == 3 ? out.shares.blended : out.shares.copied);
-    auto& at = colour[std::size_t(pixel.y) * whole.width + pixel.x];
-    for (std::size_t c = 0; c < 3; ++c) at[c] = ref::displayed_colour(pixel.rgb[c], motion_.colour_bits);
+    for (std::size_t c = 0; c < 3; ++c) colour[place][c] = ref::displayed_colour(pixel.rgb[c], motion_.colour_bits);
   }
   out.colour = ref::averaged(colour, whole.width, whole.height, samples);
+  out.of_keys = ref::made_of_keys(keys, shows, whole.width, whole.height, samples);
   return out;
 }
 

@@ -138,4 +138,20 @@ Compensated compensate(const OfKeys<KeyFrame>& keys, const MotionField& field, c
   return out;
 }
 
+std::vector<bool> made_of_keys(const std::vector<std::uint8_t>& keys, const std::vector<std::uint32_t>& face, int width,
+                               int height, int samples) {
+  std::vector<bool> made(std::size_t(width / samples) * (height / samples), false), rendered(made);
+  for (int y = 0; y < height / samples * samples; ++y) {
+    for (int x = 0; x < width / samples * samples; ++x) {
+      const std::size_t at = std::size_t(y) * width + x;
+      const std::size_t pixel = std::size_t(y / samples) * (width / samples) + x / samples;
+      if (face[at] == 0) continue;
+      if (keys[at] == 0) rendered[pixel] = true;
+      else made[pixel] = true;
+    }
+  }
+  for (std::size_t pixel = 0; pixel < made.size(); ++pixel) made[pixel] = made[pixel] && !rendered[pixel];
+  return made;
+}
+
 }  // namespace halfspace::ref

@@ -68,6 +68,11 @@ struct Compensated {
 Compensated compensate(const OfKeys<KeyFrame>&, const MotionField&, const Identities&, double a,
                        const CompensationMode&, const LightPlanes&, const Colours& rendered);
 
+// Pixels of a picture of `samples` each way that keys have a part in, and what is rendered for want of a key has not.
+// `keys` as Compensated has it, `face` of the field.
+std::vector<bool> made_of_keys(const std::vector<std::uint8_t>& keys, const std::vector<std::uint32_t>& face, int width,
+                               int height, int samples);
+
 }  // namespace halfspace::ref
 
 #endif  // HALFSPACE_REF_MOTION_COMPENSATE_HPP_

@@ -94,6 +94,18 @@ double ssim(const Colours& picture, const Colours& reference, int width, int hei
   return sum / double(aa.size());
 }
 
+std::optional<double> psnr_y_of(const Colours& picture, const Colours& reference, const std::vector<bool>& pixels) {
+  std::array<double, 3> sum{};
+  std::size_t count = 0;
+  for (std::size_t at = 0; at < pixels.size(); ++at) {
+    if (!pixels[at]) continue;
+    add_squares(picture[at], reference[at], sum);
+    ++count;
+  }
+  if (count == 0) return std::nullopt;
+  return psnr_y(mean(sum, double(count)));
+}
+
 Quality quality(const Colours& picture, const Colours& reference, int width, int height) {
   Quality q;
   std::array<double, 3> whole{};

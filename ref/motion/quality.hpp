@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace halfspace::ref {
@@ -36,6 +37,9 @@ struct Quality {
 };
 
 Quality quality(const Colours& picture, const Colours& reference, int width, int height);
+
+// PSNR_Y of these pixels alone; none where there are none.
+std::optional<double> psnr_y_of(const Colours& picture, const Colours& reference, const std::vector<bool>& pixels);
 
 // Y = 0.299·R + 0.587·G + 0.114·B. Structural similarity with the usual window (Gaussian, 11×11, σ = 1.5) and constants
 // (0.01·255)², (0.03·255)², meaned over the places where the window lies in the picture; the window is smaller in a

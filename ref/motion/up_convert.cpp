@@ -98,6 +98,7 @@ FrameBetween Interval::at(const Scene& between, double a) {
       compensate(keys_, field, identities_, a, mode_.compensation, light, by_samples ? frame.colour : out.rendered);
   out.colour = by_samples ? averaged(made.colour, field.width, field.height, mode_.samples) : std::move(made.colour);
   out.shares = made.shares;
+  out.of_keys = made_of_keys(made.keys, field.face, field.width, field.height, by_samples ? mode_.samples : 1);
   out.shares.background -= still, out.shares.still = still;
   return out;
 }

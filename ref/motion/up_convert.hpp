@@ -35,9 +35,10 @@ struct UpConversion {
 };
 
 struct FrameBetween {
-  Colours rendered;  // as it is without up-conversion
-  Colours colour;    // compensated; what no key shows is rendered
-  Shares shares;     // of pixels of the field
+  Colours rendered;           // as it is without up-conversion
+  Colours colour;             // compensated; what no key shows is rendered
+  Shares shares;              // of pixels of the field
+  std::vector<bool> of_keys;  // pixels of the picture, as made_of_keys has them
 };
 
 // Two key frames and what lies between them.

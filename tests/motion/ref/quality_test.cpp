@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The measures of quality against numbers worked out by hand.
+#include "ref/motion/compensate.hpp"
 #include "ref/motion/quality.hpp"
 
 #include <gtest/gtest.h>
@@ -29,6 +30,23 @@ TEST(Psnr, IsCapped) {
   EXPECT_EQ(quality(grey(5, 5, 7), grey(5, 5, 7), 5, 5).psnr_y, kMostDecibels);
   EXPECT_LT(psnr(1 / 122000.0), kMostDecibels);  // one step in one of so many pixels
   EXPECT_EQ(psnr(1 / 123000.0), kMostDecibels);
+}
+
+TEST(Psnr, OfSomePixelsAlone) {
+  Colours picture(4, {10, 20, 30, 255}), reference = picture;
+  picture[3] = {20, 30, 40, 255};
+  EXPECT_EQ(psnr_y_of(picture, reference, {true, true, true, false}), kMostDecibels);
+  EXPECT_NEAR(*psnr_y_of(picture, reference, {false, false, true, true}), psnr(50), 1e-9);
+  EXPECT_NEAR(*psnr_y_of(picture, reference, {false, false, false, true}), psnr(100), 1e-9);
+  EXPECT_FALSE(psnr_y_of(picture, reference, {false, false, false, false}).has_value());
+}
+
+// 2 × 1 pixels of 2 × 2 samples: one with a sample that no key shows, one with samples of keys and of the background.
+TEST(MadeOfKeys, IsAPixelWithoutARenderedSample) {
+  const std::vector<std::uint32_t> face{1, 1, 1, 0, 1, 1, 0, 0};
+  const std::vector<std::uint8_t> keys{1, 0, 3, 0, 2, 1, 0, 0};
+  EXPECT_EQ(made_of_keys(keys, face, 4, 2, 2), (std::vector<bool>{false, true}));
+  EXPECT_EQ(made_of_keys(keys, face, 4, 2, 1), (std::vector<bool>{true, false, true, false, true, true, false, false}));
 }
 
 TEST(Blocks, AreClassedByTheirOwnPsnr) {
