@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The measures of quality against numbers worked out by hand.
-#include "ref/motion/compensate.hpp"
 #include "ref/motion/quality.hpp"
+#include "ref/motion/compensate.hpp"
 
 #include <gtest/gtest.h>
 
