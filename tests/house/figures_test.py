@@ -6,6 +6,7 @@
 - docs/figures.md has a row for each single figure that is cheap to print: a page, the words there, a command, and a
   regular expression for its output. The groups of the expression are the numbers of the words, one after the other; a
   page may round them.
+- Each section of a page that has a measure beside these is in the second or the third table there.
 
 Usage: figures_test.py HALFSPACE ROOT"""
 import pathlib
@@ -13,6 +14,7 @@ import re
 import sys
 
 from pasting import copy_of, paste
+from prose_test import slug
 
 LEAST_ROWS, LEAST_TABLES = 15, 3
 # 1,234.5 and 16.8 million, but not the 32 of float32, nor an exponent.
@@ -78,6 +80,11 @@ def disagreement(words, groups):
 
 
 def self_test():
+    page = "# One\n3 cycles\n## Two (2)\n1.5 dB of 4 dB\n```\n7 LSB\n```\n## Three\n5 pages\n"
+    for in_list, words, count in [(set(), [], 2), ({("a.md", "one"), ("a.md", "two-2")}, [], 0),
+                                  ({("a.md", "")}, [], 0), (set(), ["3 cycles"], 1), ({("a.md", "four")}, [], 3)]:
+        if len(list(faults_of_sections("a.md", page, words, in_list))) != count:
+            yield f"self-test: sections of a page beside {in_list} and {words}"
     for words, groups, agrees in [
             ("0.36 LSB", ["0.3583"], True), ("0.37 LSB", ["0.3583"], False), ("25,600", ["25603.2"], True),
             ("25,700", ["25603.2"], False), ("2,386 of 3,104", ["2386", "3104"], True), ("none", ["1"], False),
@@ -97,12 +104,55 @@ def fault_of_row(root, page, words, command, expression, printer):
     return f"{page}: \"{words}\": {why}: `{command}`" if why else None
 
 
+# What a number of these is a measure of.
+MEASURE = re.compile(r"(?<![\w.^/×−])\d[\d,.]* ?(?:%|LSB|dB|cycles?|LUTs?|FF|DSP|ms|seconds?|minutes?|hours?|MHz|Mpx|Mtri"
+                     r"|frames/s|[MG]B|pixels? (?:differ|wrong|of)|fragments|faults|mismatches)(?!\w)")
+PRINTED = re.compile(r"<!-- prints: .*?<!-- end -->|<!-- (\w+) -->.*?<!-- /\1 -->|```.*?```", re.DOTALL)
+
+
+def sections(text):
+    """(anchor, text) of each, without what the program prints."""
+    parts = re.split(r"^#+ (.*)$", PRINTED.sub("", text), flags=re.MULTILINE)
+    return [(slug(heading), body) for heading, body in zip(parts[1::2], parts[2::2])]
+
+
+def listed(text):
+    """(page, anchor) of the links in the first cells of the second and third table; anchor "": all of the page."""
+    tables = re.findall(r"^\| section \|.*?\n\|[-|]+\n((?:\|.*\n)+)", text, re.MULTILINE)
+    return {link for table in tables for row in table.splitlines()
+            for link in re.findall(r"\]\((?:\.\./)?([\w.]+)(?:#([^)]*))?\)", row.split("|")[1])}
+
+
+def faults_of_sections(page, text, words_of_rows, in_list):
+    text = plain_lines(text)
+    for words in words_of_rows:
+        text = text.replace(words, "")
+    anchors = {anchor for anchor, _ in sections(text)}
+    for anchor, body in sections(text):
+        found = MEASURE.search(body)
+        if found and (page, "") not in in_list and (page, anchor) not in in_list:
+            yield f"{page}#{anchor}: \"{found[0]}\": docs/figures.md has no row for this section"
+    for name, anchor in sorted(in_list):
+        if name == page and anchor and anchor not in anchors:
+            yield f"docs/figures.md: {page} has no section {anchor}"
+
+
+def plain_lines(text):
+    """Without marks, on the lines that it has."""
+    return text.replace("*", "").replace("`", "")
+
+
 def main():
     halfspace, root = sys.argv[1], pathlib.Path(sys.argv[2]).resolve()
     faults, found = list(self_test()), 0
     table = list(rows((root / "docs/figures.md").read_text()))
     if len(table) < LEAST_ROWS:
         faults.append(f"docs/figures.md: only {len(table)} rows")
+    in_list = listed((root / "docs/figures.md").read_text())
+    for path in [root / "README.md", *sorted((root / "docs").glob("*.md"))]:
+        if path.name != "figures.md":
+            words = [plain(row[1]) for row in table if row[0].endswith(path.name)]
+            faults += faults_of_sections(path.name, path.read_text(), words, in_list)
     with copy_of(root, halfspace) as folder:
         printer = Printer(folder)
         for path in sorted((root / "docs").glob("*.md")):
