@@ -105,8 +105,8 @@ def fault_of_row(root, page, words, command, expression, printer):
 
 
 # What a number of these is a measure of.
-MEASURE = re.compile(r"(?<![\w.^/×−])\d[\d,.]* ?(?:%|LSB|dB|cycles?|LUTs?|FF|DSP|ms|seconds?|minutes?|hours?|MHz|Mpx|Mtri"
-                     r"|frames/s|[MG]B|pixels? (?:differ|wrong|of)|fragments|faults|mismatches)(?!\w)")
+MEASURE = re.compile(r"(?<![\w.^/×−])\d[\d,.]* ?(?:%|LSB|dB|cycles?|LUTs?|FF|DSP|ms|seconds?|minutes?|hours?|MHz|Mpx"
+                     r"|Mtri|frames/s|[MG]B|pixels? (?:differ|wrong|of)|fragments|faults|mismatches)(?!\w)")
 PRINTED = re.compile(r"<!-- prints: .*?<!-- end -->|<!-- (\w+) -->.*?<!-- /\1 -->|```.*?```", re.DOTALL)
 
 
