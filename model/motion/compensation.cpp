@@ -193,7 +193,10 @@ void order_by_tiles(std::vector<RawMotion>& motion, const Config& config) {
 }
 
 Compensator::Compensator(const Configuration& configuration)
-    : configuration_(configuration), table_(format_table(configuration.config())) {
+    : Compensator(configuration, format_table(configuration.config())) {}
+
+Compensator::Compensator(const Configuration& configuration, const FormatTable& table)
+    : configuration_(configuration), table_(table) {
   if (!has_motion(configuration.config())) {
     throw ref::Error(
         fmt::format("configuration {} has no key frames: take one with shading = \"motion\"", configuration.name()));

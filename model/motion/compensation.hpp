@@ -51,6 +51,8 @@ class Compensator {
  public:
   // Throws ref::Error without motion.
   explicit Compensator(const Configuration& configuration);
+  // `table` may differ from the one that follows from the configuration.
+  Compensator(const Configuration& configuration, const FormatTable& table);
 
   CompensatedFrame run(const CompensationInput& input) const;
   // The words of its streams as well, in flow order.

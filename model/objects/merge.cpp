@@ -44,7 +44,10 @@ void check(const MergeInput& input, const Configuration& configuration) {
 }  // namespace
 
 Merger::Merger(const Configuration& configuration, int lanes)
-    : configuration_(configuration), table_(format_table(configuration.config())), lanes_(lanes) {
+    : Merger(configuration, format_table(configuration.config()), lanes) {}
+
+Merger::Merger(const Configuration& configuration, const FormatTable& table, int lanes)
+    : configuration_(configuration), table_(table), lanes_(lanes) {
   if (!has_objects(configuration.config())) {
     throw ref::Error(fmt::format("configuration {} knows no objects: take one with object_bits", configuration.name()));
   }

@@ -38,6 +38,8 @@ class Merger {
  public:
   // `lanes` is 1, 2, 4, 8 or 16. Throws ref::Error without objects.
   Merger(const Configuration& configuration, int lanes);
+  // `table` may differ from the one that follows from the configuration.
+  Merger(const Configuration& configuration, const FormatTable& table, int lanes);
 
   // Throws ref::Error for what does not fit the configuration.
   MergeResult run(const MergeInput& input) const;
