@@ -14,12 +14,16 @@
 #include "ref/error.hpp"
 #include "vectors/frames/awkward.hpp"
 #include "vectors/frames/extremes.hpp"
+#include "vectors/frames/features/feature_extremes.hpp"
 #include "vectors/frames/static_sequence.hpp"
 #include "vectors/standard_set.hpp"
 #include "vectors/vector_set.hpp"
 
 namespace halfspace::cli {
 namespace {
+
+constexpr const char *kExtremes = "extremes", *kCompensationExtremes = "compensation_extremes",
+                     *kMergeExtremes = "merge_extremes";
 
 struct VectorsOptions {
   SceneInput input;
@@ -88,12 +92,15 @@ model::VectorSetOptions set_of(const VectorsOptions& options, const model::Confi
 
 void write_compensation(const VectorsOptions& options, const model::Configuration& configuration) {
   const model::VectorSetOptions set = set_of(options, configuration);
+  model::Compensator{configuration};  // refuses a configuration without motion
   Progress progress("vectors " + set.scene);
   tell(options, configuration,
        model::write_compensation_set(
            options.out, set,
            options.compensation ? std::vector<model::NamedCompensation>{compensation_of(options, configuration)}
-                                : model::compensation_frames(configuration.config(), options.seed),
+           : options.input.scene == kCompensationExtremes
+               ? model::compensation_extremes(configuration.config())
+               : model::compensation_frames(configuration.config(), options.seed),
            [&](std::size_t done, std::size_t total) { progress.tell(done, total); }));
 }
 
@@ -102,7 +109,10 @@ void write_merge(const VectorsOptions& options, const model::Configuration& conf
   model::Merger(configuration, set.lanes);  // refuses a configuration without objects
   Progress progress("vectors merge");
   tell(options, configuration,
-       model::write_merge_set(options.out, set, model::merge_frames(configuration.config(), options.seed),
+       model::write_merge_set(options.out, set,
+                              options.input.scene == kMergeExtremes
+                                  ? model::merge_extremes(configuration.config())
+                                  : model::merge_frames(configuration.config(), options.seed),
                               [&](std::size_t done, std::size_t total) { progress.tell(done, total); }));
 }
 
@@ -130,13 +140,15 @@ void write_vectors(const VectorsOptions& options) {
   std::vector<model::NamedFrame> frames;
   model::Configuration configuration =
       model::find_configuration(options.input.config.empty() ? "middle" : options.input.config);
-  if (options.input.scene == "merge") return write_merge(options, configuration);
+  if (options.input.scene == "merge" || options.input.scene == kMergeExtremes)
+    return write_merge(options, configuration);
   if (options.input.scene == "static") return write_static(options, configuration);
-  if (options.input.scene == "compensation" || options.compensation) return write_compensation(options, configuration);
-  const bool between = options.input.scene == "between";
+  if (options.input.scene == "compensation" || options.input.scene == kCompensationExtremes || options.compensation)
+    return write_compensation(options, configuration);
+  const bool between = options.input.scene == "between", extremes = options.input.scene == kExtremes;
   const bool standard = between || options.input.scene == "standard", largest = options.input.scene == "largest";
-  const bool corners = standard || (options.corners && !largest);
-  if (!standard && !largest) {
+  const bool corners = standard || (options.corners && !largest && !extremes);
+  if (!standard && !largest && !extremes) {
     LoadedScene scene = load_snapped(options.input);
     configuration = scene.configuration;
     tell_if_unseen(scene, !scene.list.triangles.empty());
@@ -147,6 +159,10 @@ void write_vectors(const VectorsOptions& options) {
   }
   const ref::RasterFormat format = model::raster_format(configuration);
   if (largest) frames = model::largest_frames(format);
+  if (extremes) {
+    frames = model::feature_extremes(format, configuration.config());
+    if (frames.empty()) frames = model::extreme_frames(format);
+  }
   if (corners) {
     std::vector<model::NamedFrame> first = model::corner_frames(format);
     for (auto& frame : model::random_frames(format, options.seed, options.random, options.random_triangles)) {
@@ -194,9 +210,11 @@ void add_vectors(CLI::App& app, int&) {
       "Annotated corner cases come first, then random frames, then the frame of SCENE; `standard` as SCENE stands\n"
       "for the first two alone, `largest` for the largest frame and the last index. In a configuration with motion\n"
       "`between` stands for those of `standard`, compensated, and `compensation` for the unit of that name; `merge`\n"
-      "in one with objects for the unit that merges buffers. `static` writes two sets, OUT/pipeline and OUT/merge:\n"
-      "a random sequence of the static objects buffer, of 20x16 pixels if no size is given. Each stream is a text\n"
-      "file that $readmemh reads; manifest.json tells the fields.\n");
+      "in one with objects for the unit that merges buffers. `extremes` stands for the numerical extremes of light,\n"
+      "texture, motion and objects, of what the configuration has; `compensation_extremes` and `merge_extremes` for\n"
+      "those of the two units. `static` writes two sets, OUT/pipeline and OUT/merge: a random sequence of the\n"
+      "static objects buffer, of 20x16 pixels if no size is given. Each stream is a text file that $readmemh reads;\n"
+      "manifest.json tells the fields.\n");
   add_scene_options(command, options->input);
   command->add_option("--lanes", options->lanes, "pixels a stamp: 1, 2, 4, 8, 16; default: the configuration's");
   add_output_folder(command, "--out", options->out, "folder to write")->required();

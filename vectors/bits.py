@@ -6,7 +6,8 @@
     vectors/bits.py build/cli/halfspace --held vectors/standard/bits.sha256    fails where it is not what there was
 
 The named configurations and all of tests/configs: the set `standard`, with motion also `compensation` and `between`,
-with objects also `merge`; and the package of formats of each. A line is: configuration, set, stream, SHA-256.
+with objects also `merge`, the extremes of each of these and of light and texture; and the package of formats of each.
+A line is: configuration, set, stream, SHA-256.
 """
 
 import argparse
@@ -21,11 +22,14 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 def sets_of(text):
     yield "standard"
-    if 'shading = "motion"' in text:
-        yield "compensation"
-        yield "between"
-    if "object_bits" in text and "object_bits = 0" not in text:
-        yield "merge"
+    moves = 'shading = "motion"' in text
+    has_objects = "object_bits" in text and "object_bits = 0" not in text
+    if moves:
+        yield from ("compensation", "between", "compensation_extremes")
+    if has_objects:
+        yield from ("merge", "merge_extremes")
+    if moves or has_objects or "lights = " in text or "texture = " in text:
+        yield "extremes"
 
 
 def configurations(root):
