@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// The numerical extremes of light, texture, motion, compensation and objects (vectors/frames/features), kernels
+// against the reference within the derived bounds. docs/extremes.md has the promises and the numbers that this test
+// prints; the RTL meets the same frames as `halfspace vectors extremes`.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "tests/config_path.hpp"
+#include "tests/formats/extremes/feature_configurations.hpp"
+#include "tests/formats/extremes/frame_judge.hpp"
+#include "tests/formats/extremes/unit_judges.hpp"
+#include "vectors/frames/features/feature_extremes.hpp"
+
+namespace halfspace::tests {
+namespace {
+
+using model::Configuration;
+
+Configuration named(const std::string& name) { return model::find_configuration(config_path(name)); }
+
+class FeatureExtremes : public testing::TestWithParam<std::string> {
+ protected:
+  const Configuration configuration_ = named(GetParam());
+  const Config config_ = configuration_.config();
+  const ref::RasterFormat format_ = model::raster_format(configuration_);
+
+  void print(const char* kind, std::size_t frames, const Measured& m) const {
+    std::printf("%-15s %-22s %3zu frames %7llu numbers: %7.3f off at most, %5.2f %% not the reference's, blind %llu\n",
+                GetParam().c_str(), kind, frames, static_cast<unsigned long long>(m.judged), m.largest,
+                100 * double(m.differ) / double(m.judged), static_cast<unsigned long long>(m.blind));
+  }
+};
+
+TEST_P(FeatureExtremes, KernelsAreWithinTheBounds) {
+  const auto one = model::make_engine(configuration_, 1), four = model::make_engine(configuration_, 4);
+  std::size_t classes = 0;
+  for (const model::FeatureExtremeClass& kind : model::feature_extreme_classes()) {
+    const std::vector<model::NamedFrame> frames = model::frames_of(kind, format_, config_);
+    EXPECT_EQ(frames.empty(), !kind.is_there(config_)) << kind.name;
+    Measured measured;
+    for (const model::NamedFrame& frame : frames) {
+      const FrameJudge judge(config_, frame);
+      EXPECT_EQ(judge.fault(*one, &measured), "") << frame.note;
+      EXPECT_EQ(judge.fault(*four), "") << frame.note;
+    }
+    if (frames.empty()) continue;
+    ++classes;
+    EXPECT_GT(measured.judged, 50u) << kind.name;
+    EXPECT_GT(measured.judged, measured.blind) << kind.name;
+    print(kind.name, frames.size(), measured);
+  }
+  EXPECT_GT(classes, 0u);
+}
+
+// The formula on integers, which the bounds are about, is the reference's.
+class LightExtremes : public FeatureExtremes {};
+TEST_P(LightExtremes, TheFormulaIsTheReference) {
+  std::uint64_t compared = 0;
+  for (const model::NamedFrame& frame : model::feature_extremes(format_, config_)) {
+    const LightBound light(config_, frame.lighting);
+    if (!light.is_unit()) continue;  // no cosine of the reference is cut to 1
+    for (const model::RawNormals& t : frame.lighting.triangles) {
+      for (const auto& n : t.normals) {
+        const std::array<double, 3> want = light.reference(t.material, {double(n[0]), double(n[1]), double(n[2])});
+        for (int c = 0; c < 3; ++c, ++compared) {
+          const double got = std::clamp(double(light.sum(t.material, n, c).value), 0.0, light.full());
+          ASSERT_NEAR(got, want[std::size_t(c)], 1.0 / 64) << frame.note;
+        }
+      }
+    }
+  }
+  EXPECT_GT(compared, 1000u);
+}
+
+class CompensationExtremes : public FeatureExtremes {};
+TEST_P(CompensationExtremes, AreTheDefinitionAndWithinTheBoundOfTheReference) {
+  const model::Compensator kernels(configuration_);
+  Measured measured;
+  const std::vector<model::NamedCompensation> frames = model::compensation_extremes(config_);
+  for (const model::NamedCompensation& frame : frames) {
+    EXPECT_EQ(compensation_fault(config_, kernels, frame), "") << frame.note;
+    EXPECT_EQ(compensation_reference_fault(config_, kernels, frame, measured), "") << frame.note;
+  }
+  EXPECT_GT(measured.judged, 100u);
+  print("compensation", frames.size(), measured);
+}
+
+class MergeExtremes : public FeatureExtremes {};
+TEST_P(MergeExtremes, AreTheDefinition) {
+  for (const int lanes : {1, 2, 4, 8, 16}) {
+    const model::Merger kernels(configuration_, lanes);
+    std::vector<model::NamedMerge> runs = model::merge_extremes(config_);
+    runs.push_back(model::largest_merge(config_));
+    for (const model::NamedMerge& run : runs) EXPECT_EQ(merge_fault(config_, kernels, lanes, run), "") << run.note;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, FeatureExtremes, testing::ValuesIn(feature_configurations()));
+INSTANTIATE_TEST_SUITE_P(Of, LightExtremes, testing::ValuesIn(feature_configurations(has_lighting)));
+INSTANTIATE_TEST_SUITE_P(Of, CompensationExtremes, testing::ValuesIn(feature_configurations(has_motion)));
+INSTANTIATE_TEST_SUITE_P(Of, MergeExtremes, testing::ValuesIn(feature_configurations(has_objects)));
+
+}  // namespace
+}  // namespace halfspace::tests
