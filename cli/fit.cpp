@@ -2,8 +2,11 @@
 // halfspace fit
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
+#include <iterator>
 #include <memory>
 #include <optional>
 
@@ -32,7 +35,8 @@ struct FitOptions {
   FrameInput input;
   model::FitGoal goal;
   int lanes = 0;
-  std::string output, work, json, area = "xilinx";
+  std::string output, work, json, area = "xilinx", cost = "memory", shading = "gouraud";
+  bool lit = false;
   bool cosim = true;
 };
 
@@ -76,7 +80,7 @@ std::vector<std::string> left_out(const Config& c, const model::Requirements& r)
         fmt::format("Z-buffer, depth plane and comparison: {}",
                     r.overlapping == 0 ? "no pixel has two surfaces" : "what is drawn first is never behind"));
   }
-  if (!is_gouraud(c)) {
+  if (!shades_planes(c)) {
     lines.push_back(
         fmt::format("colour planes and the shader's multipliers: {}",
                     r.one_colour_each ? "each triangle has one colour" : "one colour each is as accurate as asked"));
@@ -104,15 +108,29 @@ Json json_of(const model::FitArchitecture& a) {
           {"why", a.why}};
 }
 
+// Does the circuit light, or draw textures? *high* does neither, and its numbers are no measure then.
+bool is_rich(const Config& c) { return has_lighting(c) || has_texture(c); }
+
 void print_numbers(const Fit& fit, const Configuration& high) {
   const Config c = fit.configuration.config(), h = high.config();
-  fmt::print("\n{:<18} {:>9} {:>9}\n", "", fit.configuration.name(), high.name());
-  for (const auto& field : model::numbers_of(Part::kBase))
-    fmt::print("{:<18} {:>9} {:>9}\n", field.name, field.get(c), field.get(h));
-  if (has_objects(c)) fmt::print("{:<18} {:>9} {:>9}\n", "object_bits", c.object_bits, h.object_bits);
-  fmt::print("\none bit less:\n");
+  const bool beside = !is_rich(c);
+  fmt::print("\n{:<20} {:>11}{}\n", "", fit.configuration.name(), beside ? fmt::format(" {:>9}", high.name()) : "");
+  for (const model::ConfigField& field : model::config_fields()) {
+    if (!has_part(field.part, c) || (field.part == Part::kBase && !field.is_number() && !is_rich(c))) continue;
+    fmt::print("{:<20} {:>11}{}\n", field.name, field.text(c), beside ? fmt::format(" {:>9}", field.text(h)) : "");
+  }
+  fmt::print("\na step less:\n");
   for (const auto& less : fit.less) fmt::print("  {:<26} {}\n", less.change, less.result);
   const auto mine = model::memory_bits(c), theirs = model::memory_bits(h);
+  if (!beside) {
+    const model::TextureBits texture = model::texture_bits(c);
+    fmt::print(
+        "\nframe memories: {:.2f} Mbit (I-buffer {:.2f}, Z-buffer {:.2f}, TdbS {:.2f}, TdbV {:.2f}), planes of texture "
+        "{:.2f}, texels {:.2f}\n",
+        mine.total() / 1e6, mine.index / 1e6, mine.depth / 1e6, mine.shading / 1e6, mine.visibility / 1e6,
+        texture.planes / 1e6, texture.texels / 1e6);
+    return;
+  }
   fmt::print(
       "\nframe memories: {:.2f} Mbit (I-buffer {:.2f}, Z-buffer {:.2f}, TdbS {:.2f}, TdbV {:.2f}, objects {:.2f}), {} "
       "has {:.2f} Mbit: {:.1f} % saved\n",
@@ -125,6 +143,7 @@ Json compare_area(const Fit& fit, const Configuration& high, const std::vector<s
                   const std::string& work) {
   if (targets.empty()) return nullptr;
   const int lanes = fit.configuration.config().lanes;
+  const bool alone = is_rich(fit.configuration.config());
   Config beside = high.config();
   beside.lanes = lanes;
   const auto measured = [&](const Configuration& configuration) {
@@ -132,7 +151,8 @@ Json compare_area(const Fit& fit, const Configuration& high, const std::vector<s
                                       lanes == 1 ? "" : "s"));
     return measure_area(configuration, targets, work + "/area");
   };
-  const Json mine = measured(fit.configuration), theirs = measured(Configuration(high.name(), beside));
+  const Json mine = measured(fit.configuration);
+  const Json theirs = alone ? mine : measured(Configuration(high.name(), beside));
   Json json = Json::object();
   for (const std::string& target : targets) {
     const auto pipeline = [&](const Json& area) {
@@ -142,6 +162,13 @@ Json compare_area(const Fit& fit, const Configuration& high, const std::vector<s
       throw ref::Error("the area tool tells nothing of the pipeline: this is a fault of the program");
     };
     const Json a = pipeline(mine), b = pipeline(theirs);
+    if (alone) {
+      fmt::print("{}, {} lane{}: {} LUT, {} FF, {} DSP, {} bits of memories\n", target, lanes, lanes == 1 ? "" : "s",
+                 a["lut"].get<std::uint64_t>(), a["ff"].get<std::uint64_t>(), a["dsp"].get<std::uint64_t>(),
+                 a["memory_bits"].get<std::uint64_t>());
+      for (const char* column : {"lut", "ff", "dsp", "memory_bits"}) json[target][column] = {{"fit", a[column]}};
+      continue;
+    }
     fmt::print("{}, {} lane{}, beside {} with as many:", target, lanes, lanes == 1 ? "" : "s", high.name());
     for (const char* column : {"lut", "ff", "dsp", "memory_bits"}) {
       const double here = a[column].get<double>(), there = b[column].get<double>();
@@ -166,11 +193,10 @@ Json prove(const FitOptions& options, const FitScene& scene, const Fit& fit, con
   if (!options.cosim) return json;
 
   std::vector<model::NamedFrame> frames;
-  const ref::RasterFormat format = model::raster_format(fit.configuration);
   for (std::size_t k = 0; k < scene.frames.size(); ++k) {
-    const auto list = scene.frames[k]({scene.width, scene.height, format.range_bits, format.subpixel_bits});
-    frames.push_back(
-        {fmt::format("{} at {} s, side {}", scene.name, scene.times[k], scene.side(k)), ref::snap(list, format)});
+    model::NamedFrame frame = scene.frames[k].drawn(fit.configuration.config(), scene.width, scene.height).frame;
+    frame.note = fmt::format("{} at {} s, side {}", scene.name, scene.times[k], scene.side(k));
+    frames.push_back(std::move(frame));
   }
   const Cosimulation cosim = cosimulate(work, scene.name, fit.configuration, lanes, frames);
   fmt::print("co-simulated: {} words, {} mismatches, {} cycles a frame with {} lane{}\n", cosim.words, cosim.mismatches,
@@ -182,7 +208,23 @@ Json prove(const FitOptions& options, const FitScene& scene, const Fit& fit, con
   return json;
 }
 
-void fit(const FitOptions& options) {
+// LUTs or DSPs of the pipeline for the first target, where they are to be least.
+std::function<double(const Configuration&)> synthesis(const FitOptions& options,
+                                                      const std::vector<std::string>& targets,
+                                                      const std::string& work) {
+  if (targets.empty() || (options.goal.cost != model::FitCost::kLut && options.goal.cost != model::FitCost::kDsp))
+    return nullptr;
+  const char* column = options.goal.cost == model::FitCost::kLut ? "lut" : "dsp";
+  return [=](const Configuration& configuration) {
+    const Waiting waiting("area of what was found, by Yosys, some minutes");
+    for (const Json& row : measure_area(configuration, {targets.front()}, work + "/area")["rows"]) {
+      if (row["unit"] == "pipeline") return row[column].get<double>();
+    }
+    throw ref::Error("the area tool tells nothing of the pipeline: this is a fault of the program");
+  };
+}
+
+void fit(FitOptions options) {
   const std::vector<std::string> targets = area_targets(options.area);
   std::optional<model::StagedFile> output;  // before the work: whether it can be written
   if (!options.output.empty()) output.emplace(options.output);
@@ -195,12 +237,27 @@ void fit(const FitOptions& options) {
                     scene.name));
   }
   print(needed, scene);
+  model::FitGoal& goal = options.goal;
+  goal.look.texture = texture_of(options.input, scene);
+  goal.look.shading = options.shading == "phong" ? ref::ShadingMode::kPhong : ref::ShadingMode::kGouraud;
+  goal.look.distant = options.lit || options.shading == "phong";
+  if (goal.look.distant && !scene.frames.front().scene())
+    throw ref::Error(
+        fmt::format("{}: its triangles have colours and no normals: leave out --lit and --shading phong", scene.name));
+  goal.cost = model::FitCost(std::find(std::begin(model::kFitCosts), std::end(model::kFitCosts), options.cost) -
+                             std::begin(model::kFitCosts));
+  fmt::print("  the ideal picture: {}; what is to be least: {}\n", ref::name_of(goal.look), options.cost);
   const std::string name = options.output.empty() ? name_of(scene.name) : name_of(options.output);
+  const std::string work = options.work.empty() ? "fit_" + name : options.work;
+  model::make_folder(work);
+  goal.measured = synthesis(options, targets, work);
   Progress progress("fit " + scene.name + ": configurations tried");
   const Fit found = model::fit_configuration(scene, name, options.goal, options.lanes,
                                              [&](std::uint64_t tried) { progress.tell(tried, tried); });
-  fmt::print("\n{} configurations tried: {:.2f} dB, a colour off by {:.2f} LSB at most\n", found.tried,
-             found.outcome.psnr, found.outcome.largest_lsb);
+  fmt::print(
+      "\n{} configurations tried, {} from which nothing can be taken: {:.2f} dB, a colour off by {:.2f} LSB at "
+      "most, {} pixels of another face\n",
+      found.tried, found.ends, found.outcome.psnr, found.outcome.largest_lsb, found.outcome.wrong_pixels);
   const std::vector<std::string> gone = left_out(found.configuration.config(), needed);
   fmt::print("left out: {}\n", gone.empty() ? "nothing, every unit is needed" : "");
   for (const std::string& line : gone) fmt::print("  {}\n", line);
@@ -214,33 +271,40 @@ void fit(const FitOptions& options) {
                found.objects.why);
   }
   print_numbers(found, high);
-  const std::string work = options.work.empty() ? "fit_" + name : options.work;
-  model::make_folder(work);
   const Json area = compare_area(found, high, targets, work);
   const Json proof = prove(options, scene, found, work);
   if (output) output->write(model::configuration_toml(found.configuration)), output->commit();
 
   Json less = Json::array();
   for (const auto& one : found.less) less.push_back({{"change", one.change}, {"result", one.result}});
-  write_json(
-      options.json,
-      {{"scene", scene.name},
-       {"frames", scene.frames.size()},
-       {"views", scene.views},
-       {"width", scene.width},
-       {"height", scene.height},
-       {"goal", {{"psnr_db", options.goal.psnr}, {"max_lsb", options.goal.max_lsb}, {"cycles", options.goal.cycles}}},
-       {"requires", json_of(needed)},
-       {"tried", found.tried},
-       {"configuration", to_json(found.configuration.config())},
-       {"left_out", gone},
-       {"architecture", json_of(found.architecture)},
-       {"static_objects", json_of(found.objects)},
-       {"one_bit_less", less},
-       {"memory_bits", to_json(model::memory_bits(found.configuration.config()))},
-       {"memory_bits_of_high", to_json(model::memory_bits(high.config()))},
-       {"area", area},
-       {"proof", proof}});
+  write_json(options.json, {{"scene", scene.name},
+                            {"frames", scene.frames.size()},
+                            {"views", scene.views},
+                            {"width", scene.width},
+                            {"height", scene.height},
+                            {"goal",
+                             {{"psnr_db", goal.psnr},
+                              {"max_lsb", goal.max_lsb},
+                              {"wrong_pixels", goal.wrong_pixels < 0 ? Json(nullptr) : Json(goal.wrong_pixels)},
+                              {"cycles", goal.cycles},
+                              {"cost", options.cost},
+                              {"ideal", ref::name_of(goal.look)}}},
+                            {"requires", json_of(needed)},
+                            {"tried", found.tried},
+                            {"ends", found.ends},
+                            {"cost", found.cost},
+                            {"configuration", to_json(found.configuration.config())},
+                            {"left_out", gone},
+                            {"architecture", json_of(found.architecture)},
+                            {"static_objects", json_of(found.objects)},
+                            {"one_bit_less", less},
+                            {"memory_bits", to_json(model::memory_bits(found.configuration.config()))},
+                            {"texture_bits",
+                             {{"planes", model::texture_bits(found.configuration.config()).planes},
+                              {"texels", model::texture_bits(found.configuration.config()).texels}}},
+                            {"memory_bits_of_high", to_json(model::memory_bits(high.config()))},
+                            {"area", area},
+                            {"proof", proof}});
 }
 
 }  // namespace
@@ -252,10 +316,13 @@ void add_fit(CLI::App& app, int&) {
   command->footer(
       "All frames of the scene are drawn with configurations of ever fewer bits, against the ideal picture: positions "
       "not\n"
-      "snapped, nothing rounded. What is found is rendered again, and its RTL co-simulated, before it is written.\n"
+      "snapped, nothing rounded, texels of the file. Numbers, units and choices are all tried. What is found is "
+      "rendered again, and its RTL co-simulated, before it is written.\n"
       "  halfspace fit cube --size 160x120 --psnr 45 --area none -o cube.toml\n"
       "  halfspace fit teapot --views 4 --size 320x240 --area none --no-cosim  from four sides\n"
       "  halfspace fit drone --frames 0:4 --size 160x120 --max-lsb 2 --area none -o drone.toml\n"
+      "  halfspace fit duck.dae --size 160x120 --psnr 35 --cost bytes --area none -o duck.toml   with its texture\n"
+      "  halfspace fit teapot --size 160x120 --shading phong --psnr 38 --area none -o phong.toml  lit by the hardware\n"
       "Without --area none, its circuit beside that of high, by Yosys: minutes.\n");
   add_frame_options(command, options->input);
   command
@@ -271,6 +338,20 @@ void add_fit(CLI::App& app, int&) {
                    "largest error of a colour, LSB of 8 bits, where the face is right; 0: not asked")
       ->capture_default_str()
       ->check(zero_or_more());
+  command
+      ->add_option("--wrong-pixels", options->goal.wrong_pixels,
+                   "of each frame, that show another face than the ideal picture, at most; default: not asked")
+      ->check(zero_or_more());
+  command
+      ->add_option("--cost", options->cost,
+                   "what is to be least: memory (bits), lut, dsp (by Yosys with --area, else by the bits of numbers), "
+                   "cycles, bytes (of the frame that takes most)")
+      ->check(CLI::IsMember(std::vector<std::string>(std::begin(model::kFitCosts), std::end(model::kFitCosts))))
+      ->capture_default_str();
+  command->add_option("--shading", options->shading, "of the ideal picture: gouraud, phong, which the hardware lights")
+      ->check(CLI::IsMember({"gouraud", "phong"}))
+      ->capture_default_str();
+  command->add_flag("--lit", options->lit, "the hardware lights; else triangles come lit");
   command
       ->add_option("--cycles", options->goal.cycles,
                    "cycles a frame at most: takes as many lanes as that needs; 0: not asked")

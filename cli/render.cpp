@@ -126,11 +126,21 @@ ref::Frame draw_by(const RenderOptions& options, const LoadedScene& loaded, Coun
   return frame_of(list, std::move(drawing));
 }
 
-ref::Frame render_with(const std::string& engine, const LoadedScene& loaded, int lanes) {
+// With the lights of the configuration, if it has some, and the textures as they are in the file.
+ref::IdealFrame ideal_of(const SceneInput& input, const LoadedScene& loaded) {
+  const ref::View view = ref::ideal_view(loaded.list.width, loaded.list.height);
+  const Config config = loaded.configuration.config();
+  if (!has_lighting(config) && !has_texture(config)) return ref::ideal(loaded.project(view));
+  if (!loaded.scene) throw ref::Error(input.scene + ": its triangles have colours, and are neither lit nor textured");
+  return ref::ideal(SceneSource(input.scene, input.choice, has_texture(config)).at(input.time), view,
+                    model::look_of(config));
+}
+
+ref::Frame render_with(const std::string& engine, const SceneInput& input, const LoadedScene& loaded, int lanes) {
   const ref::SnappedList& scene = loaded.list;
   if (engine == "ref") return reference_of(loaded);
   if (engine == "hls") return kernels_of(loaded, lanes)->render(scene);
-  return rounded(ref::ideal(loaded.project(ref::ideal_view(scene.width, scene.height))), scene.format.depth_bits);
+  return rounded(ideal_of(input, loaded), scene.format.depth_bits);
 }
 
 void render(const RenderOptions& options) {
@@ -173,8 +183,9 @@ void render(const RenderOptions& options) {
     // The model knows no pipeline that waits for normals.
     if (!is_deferred(config)) cycles = json_of(model::model_cycles(config, *engine, scene, engine->render(scene)));
   }
-  const ref::Frame frame =
-      chosen && options.engine == "ref" ? draw_by(options, loaded, counts) : render_with(options.engine, loaded, lanes);
+  const ref::Frame frame = chosen && options.engine == "ref"
+                               ? draw_by(options, loaded, counts)
+                               : render_with(options.engine, options.input, loaded, lanes);
   if (!options.output.empty()) write_picture(options.output, colour_picture(frame));
   if (!options.dump.empty()) model::write_dump(options.dump, scene, frame);
 

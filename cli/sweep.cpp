@@ -88,6 +88,8 @@ void add_sweep(CLI::App& app, int& status) {
   command->footer(
       "  halfspace sweep teapot castle --size 320x200 --vary subpixel_bits=2..11 --out sweep\n"
       "  halfspace sweep teapot --size 320x200 --star --no-named --vary lanes=1,4 --area xilinx --jobs 2 --out area\n"
+      "  halfspace sweep teapot --size 160x120 --vary lights=1 --vary shading=gouraud,phong --vary normal_bits=9,13\n"
+      "  halfspace sweep duck.dae --size 160x120 --vary texture=nearest,bilinear --vary texels=1024,65536\n"
       "All combinations of the values, or with --star one number at a time from the base. A combination that cannot be "
       "built is\n"
       "listed with its reason. Written: OUT/sweep.csv, sweep.json and plots; each point has a file in OUT/points, so "
@@ -97,17 +99,24 @@ void add_sweep(CLI::App& app, int& status) {
       "docs/trade.md tells what is measured.\n");
   command->add_option("SCENE", input.scenes, "built-in scenes, mesh files or screen-space *.tri")->required();
   add_scene_choice(command, input.shown);
-  command->add_option("--vary", input.vary, "KEY=A,B,C or KEY=A..B, a number of the configuration; may be repeated")
+  command
+      ->add_option("--vary", input.vary,
+                   "KEY=A,B,C or KEY=A..B: a number or a choice of the configuration, or keys, the frames made for "
+                   "each key frame; may be repeated")
       ->allow_extra_args(false);
   command->add_option("--config", input.choice.config, "the base: low, middle, high or a .toml file")
       ->capture_default_str();
   command->add_option("--lanes", input.choice.lanes, "pixels a stamp of the base: 1, 2, 4, 8, 16; default: its own");
   command->add_option("--size", input.size, "frame, WxH; default: the base's");
   command->add_option("--time", input.time, "seconds into the animations")->capture_default_str()->check(finite());
+  command->add_option("--frames", input.frames, "of a base with motion: frames A:B of the animations, 30 a second")
+      ->capture_default_str();
   command->add_flag("--star", input.choice.star,
                     "one number at a time from the base, in the place of all combinations");
-  command->add_flag("--named,!--no-named", input.choice.named,
-                    "low, middle and high as well, in the base's frame, range and lanes");
+  command->add_flag(
+      "--named,!--no-named", input.choice.named,
+      "low, middle and high as well, in the base's frame, range and lanes, where nothing is lit, textured or "
+      "moves");
   command->add_option("--area", input.area, "targets for Yosys: xilinx,ecp5,ice40, or none")->capture_default_str();
   add_output_folder(command, "--out", input.out, "folder to write")->capture_default_str();
   command->add_option("--jobs", options->jobs, "points at a time")->capture_default_str()->check(CLI::Range(1, 256));

@@ -137,11 +137,6 @@ ref::Frame frame_of(const ref::SnappedList& list, ref::Drawing drawing) {
   return frame;
 }
 
-ref::TextureMode texture_mode(const Config& config) {
-  return {is_bilinear(config) ? ref::TextureFilter::kBilinear : ref::TextureFilter::kNearest,
-          has_perspective(config) ? ref::TextureMapping::kPerspective : ref::TextureMapping::kAffine};
-}
-
 ref::Frame reference_of(const LoadedScene& loaded) {
   const Config config = loaded.configuration.config();
   if ((!has_lighting(config) && !has_texture(config)) || !loaded.scene) return ref::render(loaded.list);
@@ -149,8 +144,9 @@ ref::Frame reference_of(const LoadedScene& loaded) {
   ref::SnappedList list = loaded.list;
   if (has_lighting(config) && !is_phong(config))
     list = ref::distantly_lit(std::move(list), geometry, model::most_squarings(config));
-  auto surface =
-      is_phong(config) ? ref::lit_surface(geometry, list, ref::ShadingMode::kPhong) : ref::given_surface(list);
+  auto surface = is_phong(config)
+                     ? ref::lit_surface(geometry, list, ref::ShadingMode::kPhong, model::most_squarings(config))
+                     : ref::given_surface(list);
   if (has_texture(config)) {
     surface = ref::textured_surface(std::move(surface), geometry, list, texture_mode(config));
   }

@@ -76,8 +76,7 @@ std::unique_ptr<model::Engine> kernels_of(const LoadedScene& loaded, int lanes);
 // The picture of a drawing, with its buffers.
 ref::Frame frame_of(const ref::SnappedList& list, ref::Drawing drawing);
 
-// As a configuration with texture draws it.
-ref::TextureMode texture_mode(const Config& config);
+using model::texture_mode;
 
 // What the reference draws. If the kernels light, lights and viewer are at infinity.
 ref::Frame reference_of(const LoadedScene& loaded);

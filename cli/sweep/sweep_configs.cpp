@@ -12,8 +12,7 @@
 namespace halfspace::cli {
 namespace {
 
-constexpr const char* kShading = "shading";
-constexpr int kMostValues = 1000;
+constexpr int kMostValues = 1000, kMostBetween = 4;
 
 int whole_number(const std::string& text, const std::string& option) {
   int value = 0;
@@ -25,32 +24,47 @@ int whole_number(const std::string& text, const std::string& option) {
   return value;
 }
 
-// The numbers that can be varied: those that every configuration has, and the bits of objects.
-std::vector<model::ConfigField> varied_fields() {
-  std::vector<model::ConfigField> fields = model::numbers_of(Part::kBase);
-  for (const auto& field : model::numbers_of(Part::kObjects)) fields.push_back(field);
-  return fields;
+// The least fraction bits that planes of b bits are accepted with; 0: none are.
+int least_fraction(const Config& c, int b) {
+  for (int g = 1; g <= 40; ++g) {
+    if (plane_error_ok(c, b, g)) return g;
+  }
+  return 0;
 }
 
 void set_value(Config& config, const std::string& key, const std::string& value) {
-  if (key == kShading) config.shading = value == "flat" ? Shading::kFlat : Shading::kGouraud;
-  for (const auto& field : varied_fields()) {
-    if (field.name == key) field.set(config, std::stoi(value));
-  }
+  if (key == kKeys) return;
+  const model::ConfigField* field = model::find_field(key);
+  if (field->is_number()) field->set(config, std::stoi(value));
+  else model::set_choice(config, key, value);
 }
 
-// What is not there has no numbers.
-void drop_idle(Config& config) {
-  if (!has_depth(config)) config.depth_fraction = 0;
-  if (!is_gouraud(config)) config.colour_fraction = 0;
-  if (!has_planes(config)) config.reciprocal_bits = 0;
+// What is not there has no numbers; what a choice has brought has usual ones, where nothing else is said.
+void settle(SweepConfig& config) {
+  Config& c = config.numbers;
+  const auto usual = [](int& number, bool is_there, int value) { number = is_there ? (number ? number : value) : 0; };
+  if (!has_depth(c)) c.architecture = Architecture::kDelta;
+  if (has_lighting(c) && c.normal_bits == 0 && !config.asked.count("gloss")) c.gloss = 16;
+  usual(c.normal_bits, has_lighting(c), 13);
+  usual(c.materials, has_lighting(c), 512);
+  if (!has_lighting(c)) c.gloss = 0;
+  if (has_texture(c) && c.texels == 0 && !config.asked.count("mapping")) c.mapping = TextureMapping::kPerspective;
+  usual(c.texels, has_texture(c), 65536);
+  usual(c.textures, has_texture(c), 32);
+  if (!has_coordinates(c)) c.mapping = TextureMapping::kAffine;
+  usual(c.coordinate_bits, has_coordinates(c), std::min(24, c.reciprocal_bits - 2));
+  usual(c.depth_fraction, has_depth(c), least_fraction(c, c.depth_bits));
+  usual(c.colour_fraction, has_colour_planes(c), least_fraction(c, colour_plane_bits(c)));
+  usual(c.normal_fraction, is_phong(c), least_fraction(c, normal_plane_bits(c)));
+  usual(c.coordinate_fraction, has_coordinates(c), least_fraction(c, c.coordinate_bits));
+  if (!has_planes(c)) c.reciprocal_bits = 0;
 }
 
 // Merged with an equal one that is there already.
 void add_config(std::vector<SweepConfig>& configs, SweepConfig config) {
-  drop_idle(config.numbers);
+  settle(config);
   for (SweepConfig& other : configs) {
-    if (!model::same_numbers(other.numbers, config.numbers)) continue;
+    if (!model::same_numbers(other.numbers, config.numbers) || other.between != config.between) continue;
     if (other.named.empty()) other.named = config.named;
     return;
   }
@@ -64,6 +78,8 @@ void add_config(std::vector<SweepConfig>& configs, SweepConfig config) {
 
 void vary(SweepConfig& config, const std::string& key, const std::string& value) {
   set_value(config.numbers, key, value);
+  config.asked[key] = value;
+  if (key == kKeys) config.between = std::stoi(value);
   config.name += fmt::format("-{}{}", key, value);
 }
 
@@ -109,14 +125,14 @@ void add_named(std::vector<SweepConfig>& configs, const SweepConfig& base, const
 Variation parse_variation(const std::string& option) {
   const std::size_t equals = option.find('=');
   Variation variation{option.substr(0, equals), {}};
-  const auto fields = varied_fields();
-  const auto is_key = [&](const auto& field) { return field.name == variation.key; };
-  if (variation.key != kShading && std::none_of(fields.begin(), fields.end(), is_key)) {
-    std::string names = kShading;
-    for (const auto& field : fields) names += std::string(", ") + field.name;
+  const model::ConfigField* field = model::find_field(variation.key);
+  if (!field && variation.key != kKeys) {
+    std::string names = kKeys;
+    for (const auto& known : model::config_fields()) names += std::string(", ") + known.name;
     throw ref::Error(fmt::format("--vary {}: there is no number '{}' in a configuration: use one of {}", option,
                                  variation.key, names));
   }
+  variation.is_choice = field && !field->is_number();
   const auto add = [&](const std::string& value) {
     auto& values = variation.values;
     if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
@@ -124,9 +140,13 @@ Variation parse_variation(const std::string& option) {
   std::stringstream list(equals == option.npos ? "" : option.substr(equals + 1));
   for (std::string word; std::getline(list, word, ',');) {
     const std::size_t dots = word.find("..");
-    if (variation.key == kShading) {
-      if (word != "gouraud" && word != "flat") {
-        throw ref::Error(fmt::format("--vary {}: there is no shading '{}': use gouraud or flat", option, word));
+    if (variation.is_choice) {
+      const auto& words = field->words;
+      const bool is_motion = variation.key == "shading" && word == "motion";
+      if (is_motion || std::none_of(words.begin(), words.end(), [&](const char* known) { return word == known; })) {
+        throw ref::Error(fmt::format("--vary {}: there is no {} '{}': use {}{}", option, variation.key, word,
+                                     fmt::join(words.begin(), words.end() - (variation.key == "shading"), ", "),
+                                     is_motion ? "; a base with motion stays one" : ""));
       }
       add(word);
     } else if (dots == word.npos) {
@@ -142,6 +162,13 @@ Variation parse_variation(const std::string& option) {
   if (variation.values.empty()) {
     throw ref::Error(fmt::format("--vary {}: there are no values: write it like subpixel_bits=4,6,8 or 4..8", option));
   }
+  if (variation.key == kKeys) {
+    for (const std::string& value : variation.values) {
+      if (std::stoi(value) >= 1 && std::stoi(value) <= kMostBetween) continue;
+      throw ref::Error(
+          fmt::format("--vary {}: 1 to {} frames are made for each key frame, not {}", option, kMostBetween, value));
+    }
+  }
   return variation;
 }
 
@@ -151,13 +178,52 @@ Config base_numbers(const ConfigChoice& choice) {
   return numbers;
 }
 
+namespace {
+
+// What the configurations of a key have, and what brings it.
+struct Needed {
+  const char *what, *remedy;
+};
+Needed needed_by(const std::string& key) {
+  const model::ConfigField* field = model::find_field(key);
+  if (!field || field->part == Part::kMotion) return {"motion", ""};
+  if (field->part == Part::kLighting) return {"lights", ", or vary lights too"};
+  if (field->part == Part::kTexture) return {"texture", ", or vary texture too"};
+  if (field->part == Part::kCoordinates) return {"texture or motion", ", or vary texture too"};
+  return {"the unit that it is of", ", or vary that too"};
+}
+
+// A number that was varied and that none of them has means nothing.
+void check_presence(const std::vector<SweepConfig>& configs, const Config& base, const Variation& variation) {
+  const model::ConfigField* field = model::find_field(variation.key);
+  const bool is_there = std::any_of(configs.begin(), configs.end(), [&](const SweepConfig& config) {
+    const Config& c = config.numbers;
+    if (!field) return has_motion(c);
+    return has_part(field->part, c) && (!field->is_number() || field->get(c) != 0);
+  });
+  if (is_there || (variation.values.size() == 1 && variation.values[0] == "0")) return;
+  const Needed needed = needed_by(variation.key);
+  throw ref::Error(fmt::format("--vary {0}: configuration {1} has no {0}: name one by --config that has {2}{3}",
+                               variation.key, base.name, needed.what, needed.remedy));
+}
+
+bool is_rich(const Config& c) { return has_lighting(c) || has_texture(c) || has_motion(c); }
+
+}  // namespace
+
 std::vector<SweepConfig> sweep_configs(const ConfigChoice& choice, const std::vector<Variation>& variations) {
-  const SweepConfig base{model::find_configuration(choice.config).name(), base_numbers(choice), "", ""};
+  const model::Configuration configuration = model::find_configuration(choice.config);
+  const SweepConfig base{configuration.name(), base_numbers(choice), "", ""};
   std::vector<SweepConfig> configs;
   if (choice.star) add_star(configs, base, variations);
   else add_grid(configs, base, variations, 0);
-  if (choice.named) add_named(configs, base, choice.frame);
-  for (SweepConfig& config : configs) config.base = model::same_numbers(config.numbers, base.numbers);
+  Config named = base.numbers;
+  named.name = configuration.name().c_str();
+  for (const Variation& variation : variations) check_presence(configs, named, variation);
+  const bool rich = std::any_of(configs.begin(), configs.end(), [](const auto& c) { return is_rich(c.numbers); });
+  if (choice.named && !rich) add_named(configs, base, choice.frame);
+  for (SweepConfig& config : configs)
+    config.base = model::same_numbers(config.numbers, base.numbers) && config.between == base.between;
   return configs;
 }
 

@@ -44,6 +44,14 @@ const std::vector<Panels>& panels() {
   static const Axis cycles{"cycles", "cycles a frame", Scale::kFromZero};
   static const Axis bytes{"bytes", "bytes a frame, all memories", Scale::kFromZero};
   static const Axis lut{"lut", "LUTs of the pipeline", Scale::kFromZero};
+  static const Axis colour_largest{"colour_largest_lsb", "largest error of a colour, LSB of 8", Scale::kLogarithmic};
+  static const Axis memory{"memory_bits", "bits of all memories", Scale::kFromZero};
+  // Of frames between key frames, against these with nothing rounded.
+  static const Axis rendered{"psnr_db", "PSNR against the frames as rendered, dB", Scale::kFree};
+  static const Axis unrounded{"reference_psnr_db", "PSNR against the reference, dB", Scale::kFree};
+  static const Axis wrong_pixels{"wrong_pixels", "pixels off by more than 16 LSB, worst frame", Scale::kLogarithmic};
+  static const std::vector<Axis> motion = {rendered, unrounded, wrong_pixels, bytes, lut};
+  static const std::vector<Axis> choice = {psnr, wrong, colour_rms, cycles, bytes, memory, lut};
   static const std::vector<Panels> all = {
       {"subpixel_bits", "sub-pixel bits f", {psnr, wrong, shimmer, depth_rms, lut}},
       {"range_bits", "range bits", {psnr, wrong, cycles, lut}},
@@ -52,8 +60,36 @@ const std::vector<Panels>& panels() {
       {"reciprocal_bits", "reciprocal bits r", {depth_wrong, depth_stored, cycles, lut}},
       {"depth_fraction", "fraction bits of depth gradients g", {depth_wrong, depth_stored, lut}},
       {"colour_fraction", "fraction bits of colour gradients g", {colour_wrong, colour_stored, lut}},
-      {"lanes", "lanes", {cycles, bytes, lut}}};
+      {"lanes", "lanes", {cycles, bytes, lut}},
+      {"normal_bits", "fraction bits of normals p", {psnr, colour_rms, colour_largest, lut}},
+      {"normal_fraction", "fraction bits of gradients of normals g", {psnr, colour_rms, colour_largest, bytes, lut}},
+      {"gloss", "largest exponent of a highlight", {psnr, colour_rms, colour_largest, lut}},
+      {"lights", "lights that are built", {psnr, colour_rms, lut}},
+      {"texels", "texels of the texture memory", {psnr, colour_rms, colour_largest, memory, lut}},
+      {"coordinate_bits", "bits of a texture coordinate b", {psnr, colour_rms, colour_largest, bytes, lut}},
+      {"coordinate_fraction",
+       "fraction bits of gradients of coordinates g",
+       {psnr, colour_rms, colour_largest, bytes, lut}},
+      {"vector_range", "range of a vector, bits of pixels", motion},
+      {"vector_fraction", "fraction bits of a vector", motion},
+      {"weight_bits", "bits of weights", motion},
+      {"face_bits", "bits of the number of a face", motion},
+      {"samples", "samples of a pixel each way", motion},
+      {"relight", "differences of light", motion},
+      {"filter", "filter of key frames", motion},
+      {kKeys, "frames made for each key frame", motion},
+      {"shading", "shading", choice},
+      {"texture", "filter of textures", choice},
+      {"mapping", "mapping of coordinates", choice},
+      {"architecture", "architecture", choice}};
   return all;
+}
+
+// Of a sweep of motion, what a number buys is told of the frames in between.
+std::vector<Axis> axes_of(const Sweep& sweep, const Panels& found) {
+  const std::vector<Axis>& motion =
+      std::find_if(panels().begin(), panels().end(), [](const Panels& p) { return p.key == std::string(kKeys); })->axes;
+  return sweep.motion ? motion : found.axes;
 }
 
 // Empty where there is no area.
@@ -68,26 +104,43 @@ struct Along {
   std::string instead;  // ", f = 1" for each of those
 };
 
+std::string base_value(const Sweep& sweep, const std::string& key) {
+  const Config base = base_numbers(sweep.input.choice);
+  return key == kKeys ? "1" : model::find_field(key)->text(base);
+}
+
 Along rows_along(const Sweep& sweep, const std::vector<Json>& rows, const std::string& key) {
-  Json reference = to_json(base_numbers(sweep.input.choice));
+  std::map<std::string, std::string> reference;
   Along along;
   for (const Variation& variation : sweep.variations) {
-    if (sweep.input.choice.star || variation.key == key || variation.key == "shading") continue;
-    const std::string now = std::to_string(reference[variation.key].get<int>());
+    if (variation.key == key) continue;
+    std::string now = base_value(sweep, variation.key);
     const auto& values = variation.values;
-    if (std::find(values.begin(), values.end(), now) != values.end()) continue;
-    reference[variation.key] = std::stoi(values.front());
-    along.instead += fmt::format(", {} = {}", variation.key, values.front());
-  }
-  for (const Json& row : rows) {
-    bool same = row["refused"].is_null();
-    for (const auto& item : reference.items()) {
-      const std::string column = item.key() == "width" || item.key() == "height" ? "largest_" + item.key() : item.key();
-      same = same && (item.key() == key || row[column] == item.value());
+    if (!sweep.input.choice.star && std::find(values.begin(), values.end(), now) == values.end()) {
+      now = values.front();
+      along.instead += fmt::format(", {} = {}", variation.key, now);
     }
-    if (same) along.rows.push_back(&row);
+    reference[variation.key] = now;
+  }
+  for (std::size_t n = 0; n < rows.size(); ++n) {
+    const SweepConfig& config = sweep.configs[n % sweep.configs.size()];
+    const bool of_sweep = !config.asked.empty() || config.base;
+    bool same = of_sweep && rows[n]["refused"].is_null();
+    for (const auto& [other, value] : reference) {
+      const auto asked = config.asked.find(other);
+      same = same && (asked == config.asked.end() ? base_value(sweep, other) : asked->second) == value;
+    }
+    if (same) along.rows.push_back(&rows[n]);
   }
   return along;
+}
+
+// Where a row stands along x: a number, or the place of a word among the values.
+std::optional<double> place(const Json& row, const Variation& variation) {
+  if (!variation.is_choice) return number(row, variation.key);
+  const auto& values = variation.values;
+  const auto at = std::find(values.begin(), values.end(), row[variation.key].get<std::string>());
+  return at == values.end() ? std::nullopt : std::optional<double>(double(at - values.begin()));
 }
 
 std::string size_of(const SweepScene& scene) { return fmt::format("{}x{}", scene.width, scene.height); }
@@ -133,8 +186,8 @@ std::string scale_of(const Axis& axis, const Extent& extent) {
   return ticks + "unset logscale y\nset yrange [0:1<*]\n";
 }
 
-void draw_panel(const Sweep& sweep, PanelScript& script, const std::vector<const Json*>& rows, const std::string& key,
-                const Axis& axis) {
+void draw_panel(const Sweep& sweep, PanelScript& script, const std::vector<const Json*>& rows,
+                const Variation& variation, const Axis& axis) {
   const std::string column = column_name(sweep, axis.column);
   const Extent extent = extent_of(rows, column);
   const auto [unit, unit_name] = unit_of(axis, extent);
@@ -142,7 +195,7 @@ void draw_panel(const Sweep& sweep, PanelScript& script, const std::vector<const
   for (std::size_t s = 0; s < sweep.scenes.size(); ++s) {
     std::map<double, double> curve;
     for (const Json* row : rows) {
-      const auto x = number(*row, key), y = number(*row, column);
+      const auto x = place(*row, variation), y = number(*row, column);
       if ((*row)["scene"] != sweep.scenes[s].name || !x || !y) continue;
       curve[*x] = axis.scale == Scale::kLogarithmic && *y == 0 ? extent.floor() : *y;
     }
@@ -159,13 +212,20 @@ void draw_panel(const Sweep& sweep, PanelScript& script, const std::vector<const
 }
 
 // The numbers along x, with the base's marked.
-std::string x_axis(const std::string& key, double first, double last, double base) {
-  if (key == "lanes") return "set logscale x 2";
+std::string x_axis(const Variation& variation, double first, double last, std::optional<double> base) {
+  const model::ConfigField* field = model::find_field(variation.key);
+  if (field && field->is_number() && field->allowed.is_power && first > 0) return "set logscale x 2";
+  if (variation.is_choice) {
+    std::string text = "set xrange [-0.3:" + fmt::format("{}", last + 0.3) + "]\nset xtics (";
+    for (std::size_t n = 0; n < variation.values.size(); ++n)
+      text += fmt::format("{}{} {}", n ? ", " : "", gnuplot_quoted(variation.values[n]), n);
+    return text + ")";
+  }
   std::string text =
       fmt::format("set xrange [{}:{}]\nset xtics {}", first - 0.3, last + 0.3, last - first > 12 ? 2 : 1);
-  if (base >= first && base <= last) {
+  if (base && *base >= first && *base <= last) {
     text +=
-        fmt::format("\nset arrow 1 from first {0}, graph 0 to first {0}, graph 1 nohead dt 3 lc rgb '#777777'", base);
+        fmt::format("\nset arrow 1 from first {0}, graph 0 to first {0}, graph 1 nohead dt 3 lc rgb '#777777'", *base);
   }
   return text;
 }
@@ -179,28 +239,29 @@ std::optional<PanelScript> curves_plot(const Sweep& sweep, const std::vector<Jso
   const std::vector<const Json*>& along = drawn.rows;
   std::vector<double> values;
   for (const Json* row : along) {
-    if (const auto value = number(*row, key)) values.push_back(*value);
+    if (const auto value = place(*row, variation)) values.push_back(*value);
   }
   if (found == panels().end() || values.empty()) return std::nullopt;
   const auto [first, last] = std::minmax_element(values.begin(), values.end());
   if (*first == *last) return std::nullopt;
   std::vector<Axis> axes;
-  for (const Axis& axis : found->axes) {
+  for (const Axis& axis : axes_of(sweep, *found)) {
     if (!column_name(sweep, axis.column).empty()) axes.push_back(axis);
   }
   const int count = int(axes.size()), columns = count == 4 ? 2 : std::min(count, 3);
-  const std::string title = fmt::format("{}; all else as in {}{}{}", found->title, sweep.input.choice.config,
-                                        drawn.instead, one_size(sweep) ? ", frame " + size_of(sweep.scenes[0]) : "");
+  const std::string title =
+      fmt::format("{}; all else as in {}{}{}", found->title, short_name(sweep.input.choice.config), drawn.instead,
+                  one_size(sweep) ? ", frame " + size_of(sweep.scenes[0]) : "");
   PanelScript script(key + ".png", title, columns, (count + columns - 1) / columns, 400, 320);
-  const Json base = to_json(base_numbers(sweep.input.choice));
+  const auto base = variation.is_choice ? std::nullopt : std::optional<double>(std::stod(base_value(sweep, key)));
   script.line(fmt::format("set xlabel {}", gnuplot_quoted(found->title)));
-  script.line(x_axis(key, *first, *last, base[key].get<double>()));
+  script.line(x_axis(variation, *first, *last, base));
   for (const Axis& axis : axes) {
     // One key, in the first panel.
     script.line(&axis != &axes[0]            ? "unset key"
                 : axis.scale == Scale::kFree ? "set key bottom right"
                                              : "set key top right");
-    draw_panel(sweep, script, along, key, axis);
+    draw_panel(sweep, script, along, variation, axis);
   }
   return script;
 }

@@ -31,7 +31,7 @@ std::string x_axis(double first, double last) {
 }
 
 void draw_front(PanelScript& script, const std::vector<Json>& rows, const std::string& scene, const std::string& cost,
-                const std::string& flag, const char* title) {
+                const std::string& flag, const char* title, bool motion) {
   std::string other, front, base;
   std::vector<std::string> named;
   std::map<double, double> line;
@@ -49,8 +49,8 @@ void draw_front(PanelScript& script, const std::vector<Json>& rows, const std::s
   std::string steps;
   for (const auto& [x, y] : line) steps += fmt::format("{} {}\n", x, y);
   script.line(
-      fmt::format("set title {}\nset ylabel 'PSNR against the ideal, dB'\nset key below center horizontal samplen 1",
-                  gnuplot_quoted(short_name(scene) + ": " + title)));
+      fmt::format("set title {}\nset ylabel 'PSNR against the {}, dB'\nset key below center horizontal samplen 1",
+                  gnuplot_quoted(short_name(scene) + ": " + title), motion ? "frames as rendered" : "ideal"));
   script.line(x_axis(first, last));
   std::string plot;
   const auto add = [&](const std::string& data, const std::string& style) {
@@ -79,23 +79,25 @@ std::optional<PanelScript> front_plot(const Sweep& sweep, const std::vector<Json
     const char* title;
   };
   std::vector<Cost> costs;
-  if (lut.empty()) {
-    costs = {{"memory_bits", "pareto_memory", "bits of the memories of a frame"},
-             {"multiplier_bits", "pareto_multiplier", "bits that the multipliers add up"}};
-  } else {
-    costs = {{lut, "pareto_lut", "LUTs of the pipeline"}};
-  }
-  costs.push_back({"cycles", "pareto_cycles", "cycles a frame"});
+  costs = {{"memory_bits", "pareto_memory", "bits of the memories of a frame"},
+           {"bytes", "pareto_bytes", "bytes read and written a frame"}};
+  if (lut.empty()) costs.push_back({"multiplier_bits", "pareto_multiplier", "bits that the multipliers add up"});
+  else costs.push_back({lut, "pareto_lut", "LUTs of the pipeline"});
+  costs.push_back({"cycles", "pareto_cycles", sweep.motion ? "cycles of motion_compensate" : "cycles a frame"});
   const auto is_known = [&](const Cost& cost) {
     return std::any_of(rows.begin(), rows.end(), [&](const Json& row) { return number(row, cost.column).has_value(); });
   };
   costs.erase(std::remove_if(costs.begin(), costs.end(), std::not_fn(is_known)), costs.end());
   if (costs.empty()) return std::nullopt;
   PanelScript script("front.png", "accuracy and what it takes", int(costs.size()), int(sweep.scenes.size()),
-                     costs.size() > 2 ? 480 : 600, 420);
+                     costs.size() > 3   ? 440
+                     : costs.size() > 2 ? 480
+                                        : 600,
+                     420);
   script.line("set offsets graph 0.1, graph 0.14, graph 0.06, graph 0.08");
   for (const SweepScene& scene : sweep.scenes) {
-    for (const Cost& cost : costs) draw_front(script, rows, scene.name, cost.column, cost.flag, cost.title);
+    for (const Cost& cost : costs)
+      draw_front(script, rows, scene.name, cost.column, cost.flag, cost.title, sweep.motion);
   }
   return script;
 }

@@ -11,7 +11,9 @@
 
 #include "cli/common/area.hpp"
 #include "cli/common/progress.hpp"
+#include "cli/common/sequence.hpp"
 #include "ref/error.hpp"
+#include "study/trade/motion_trade.hpp"
 #include "vectors/staging.hpp"
 
 namespace halfspace::cli {
@@ -21,7 +23,7 @@ namespace fs = std::filesystem;
 
 double share(std::uint64_t part, std::uint64_t whole) { return whole ? double(part) / double(whole) : 0; }
 
-Json picture_result(const model::Trade& t, const Config& config) {
+Json picture_result(const model::Trade& t, const Config& config, const ref::IdealLook& look) {
   using model::bytes_of;
   const ref::BufferUses& moved = t.accesses.words;
   const model::BufferBits bits = model::entry_bits(config);
@@ -41,7 +43,7 @@ Json picture_result(const model::Trade& t, const Config& config) {
           {"reference_psnr_db", finite(t.reference.psnr)},
           {"reference_wrong_index_pixels", t.reference.index_differ},
           {"stored_depth_largest_lsb", t.stored.depth_largest},
-          {"stored_colour_largest_lsb", t.stored.colour_largest},
+          {"stored_colour_largest_lsb", t.stored.colour_largest ? Json(*t.stored.colour_largest) : Json(nullptr)},
           {"depth_misrounded_share", share(t.reference.depth_differ, t.reference.compared)},
           {"colour_misrounded_share", share(t.reference.colour_differ, 3 * t.reference.compared)},
           {"cycles", t.cycles.frame},
@@ -57,17 +59,43 @@ Json picture_result(const model::Trade& t, const Config& config) {
           {"bytes_planes_written", bytes_of(moved.shading.written, bits.shading)},
           {"bytes_objects_read", bytes_of(moved.object.read, bits.object)},
           {"bytes_objects_written", bytes_of(moved.object.written, bits.object)},
-          {"bytes", model::total_bytes(moved, bits)},
+          {"bytes", model::total_bytes(moved, bits) + t.texture_bytes},
           {"kernels_compiled", t.compiled},
-          {"native_ms", t.native_ms}};
+          {"native_ms", t.native_ms},
+          {"bytes_texture", t.texture_bytes},
+          {"ideal", ref::name_of(look)}};
 }
 
-Json compute_picture(const SweepScene& scene, const SweepConfig& config) {
+Json motion_result(const model::MotionTrade& t) {
+  const auto finite = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
+  const std::uint64_t shown = t.shares.blended + t.shares.copied + t.shares.filled;
+  return {{"frames_between", t.frames},
+          {"psnr_db", finite(t.psnr)},
+          {"worst_psnr_db", finite(t.worst_psnr)},
+          {"reference_psnr_db", finite(t.reference_psnr)},
+          {"wrong_pixels", t.wrong_pixels},
+          {"colour_largest_lsb", t.colour_largest},
+          {"blended_share", share(t.shares.blended, shown)},
+          {"copied_share", share(t.shares.copied, shown)},
+          {"rendered_share", share(t.shares.filled, shown)},
+          {"cycles", t.cycles},
+          {"bytes_keys", t.key_bytes},
+          {"bytes_words", t.word_bytes},
+          {"bytes", t.key_bytes + t.word_bytes}};
+}
+
+Json compute_picture(const Sweep& sweep, const SweepScene& scene, const SweepConfig& config) {
   const model::Configuration configuration = config.configuration();
   try {
+    if (sweep.motion) {
+      return motion_result(model::measure_motion({scene.at, kFramesASecond, sweep.frames.first, sweep.frames.second,
+                                                  config.between, scene.width, scene.height},
+                                                 configuration, config.numbers.lanes));
+    }
+    const ref::IdealLook look = model::look_of(config.numbers, sweep.finest);
     return picture_result(
-        model::measure_trade(scene.project, scene.width, scene.height, configuration, config.numbers.lanes),
-        config.numbers);
+        model::measure_trade(scene.subject, scene.width, scene.height, configuration, config.numbers.lanes, look),
+        config.numbers, look);
   } catch (const ref::Error& error) {
     return {{"refused", fmt::format("{} with {}: {}", scene.name, config.name, error.what())}};
   }
@@ -82,7 +110,7 @@ void compute_point(const Sweep& sweep, const SweepPoint& point) {
   // An area works under the point's name, so that points at the same time do not meet.
   const Json result = point.is_area ? measure_area(config.configuration(), sweep.targets,
                                                    (out / "area" / fs::path(point.file).stem()).string())
-                                    : compute_picture(sweep.scenes[point.scene], config);
+                                    : compute_picture(sweep, sweep.scenes[point.scene], config);
   const Json json = {{"format", "halfspace-point 1"}, {"point", point.what}, {"result", result}};
   model::write_file((out / point.file).string(), json.dump(1) + "\n");
 }

@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "cli/common/area.hpp"
+#include "cli/common/scene_frames.hpp"
 #include "ref/error.hpp"
 #include "ref/geometry/geometry.hpp"
 #include "ref/geometry/triangle_list.hpp"
@@ -39,26 +40,44 @@ std::string bytes_of(const fs::path& path) {
 SweepScene load_scene(const SweepInput& input, const std::string& name, const FrameSize& size) {
   SweepScene scene{name, size.width, size.height, "", {}};
   if (fs::is_regular_file(name)) scene.digest = digest(bytes_of(name));
-  if (ref::is_tri_file(name)) {
-    const auto list = std::make_shared<ref::TriangleList>(ref::read_tri(name));
-    if (!input.size.empty() && (size.width != list->width || size.height != list->height)) {
-      throw ref::Error(
-          fmt::format("{}: its frame is {}x{}, not {}: leave out --size", name, list->width, list->height, input.size));
-    }
-    scene.width = list->width;
-    scene.height = list->height;
-    scene.project = [list](const ref::View& view) {
-      ref::TriangleList moved = *list;
-      for (auto& triangle : moved.triangles) {
-        for (ref::Vertex& vertex : triangle) vertex.x += view.shift_x, vertex.y += view.shift_y;
-      }
-      return moved;
-    };
-  } else {
-    const auto loaded = std::make_shared<ref::Scene>(SceneSource(name, input.shown).at(input.time));
-    scene.project = [loaded](const ref::View& view) { return ref::project(*loaded, view); };
+  if (!ref::is_tri_file(name)) return scene;
+  const auto list = std::make_shared<ref::TriangleList>(ref::read_tri(name));
+  if (!input.size.empty() && (size.width != list->width || size.height != list->height)) {
+    throw ref::Error(
+        fmt::format("{}: its frame is {}x{}, not {}: leave out --size", name, list->width, list->height, input.size));
   }
+  scene.width = list->width;
+  scene.height = list->height;
+  scene.subject = model::Subject(list);
   return scene;
+}
+
+// What the configurations of the sweep draw of it.
+void load_subject(const Sweep& sweep, SweepScene& scene) {
+  if (ref::is_tri_file(scene.name)) {
+    if (sweep.motion) throw ref::Error(fmt::format("{}: nothing moves in it: take an animated scene", scene.name));
+    return;
+  }
+  const auto source = std::make_shared<SceneSource>(scene.name, sweep.input.shown);
+  if (sweep.motion) {
+    if (source->at(0).duration <= 0)
+      throw ref::Error(fmt::format("{}: nothing moves in it: take an animated scene", scene.name));
+    scene.at = [source](double seconds) { return source->at(seconds); };
+    return;
+  }
+  std::shared_ptr<ref::Scene> textured;
+  if (sweep.finest.texture)
+    textured = std::make_shared<ref::Scene>(SceneSource(scene.name, sweep.input.shown, true).at(sweep.input.time));
+  scene.subject = model::Subject(std::make_shared<ref::Scene>(source->at(sweep.input.time)), std::move(textured));
+}
+
+// The finest of each feature that a configuration has; pictures are not ideal without colours that vary.
+ref::IdealLook finest_look(const std::vector<SweepConfig>& configs) {
+  ref::IdealLook finest;
+  for (const SweepConfig& config : configs) {
+    if (config.refused.empty()) finest = model::look_of(config.numbers, finest);
+  }
+  return finest;
 }
 
 void make_points(Sweep& sweep) {
@@ -72,13 +91,11 @@ void make_points(Sweep& sweep) {
     const SweepScene& scene = sweep.scenes[s];
     for (std::size_t c = 0; c < sweep.configs.size(); ++c) {
       if (!sweep.configs[c].refused.empty()) continue;
-      add(false, s, c,
-          {{"picture", scene.name},
-           {"digest", scene.digest},
-           {"width", scene.width},
-           {"height", scene.height},
-           {"time", sweep.input.time},
-           {"program", program}});
+      Json what = {{"picture", scene.name},  {"digest", scene.digest},   {"width", scene.width},
+                   {"height", scene.height}, {"time", sweep.input.time}, {"program", program}};
+      if (sweep.motion) what.update({{"frames", sweep.frames}, {"keys", sweep.configs[c].between}});
+      else what["ideal"] = ref::name_of(model::look_of(sweep.configs[c].numbers, sweep.finest));
+      add(false, s, c, std::move(what));
     }
   }
   if (sweep.targets.empty()) return;
@@ -111,6 +128,10 @@ Sweep plan_sweep(const SweepInput& input) {
     frame = {std::max(frame.width, sweep.scenes.back().width), std::max(frame.height, sweep.scenes.back().height)};
   }
   sweep.configs = sweep_configs(sweep.input.choice, sweep.variations);
+  sweep.motion = has_motion(base);
+  if (sweep.motion) sweep.frames = parse_range(input.frames);
+  sweep.finest = finest_look(sweep.configs);
+  for (SweepScene& scene : sweep.scenes) load_subject(sweep, scene);
   make_points(sweep);
   return sweep;
 }

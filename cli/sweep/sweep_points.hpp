@@ -4,7 +4,9 @@
 #ifndef HALFSPACE_CLI_SWEEP_SWEEP_POINTS_HPP_
 #define HALFSPACE_CLI_SWEEP_SWEEP_POINTS_HPP_
 
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/sweep/sweep_configs.hpp"
@@ -17,8 +19,9 @@ struct SweepInput {
   std::vector<std::string> scenes;
   std::vector<std::string> vary;
   ConfigChoice choice{"middle", 0, false, true, {}};
-  std::string size;  // "WxH"; empty: the base's; a *.tri has its own
-  double time = 0;   // seconds into the animations
+  std::string size;             // "WxH"; empty: the base's; a *.tri has its own
+  double time = 0;              // seconds into the animations
+  std::string frames = "0:12";  // of a sweep of motion: A:B, at kFramesASecond, both included
   ref::SceneChoice shown;
   std::string area = "none";  // targets of rtl/synth/area.py, commas between them
   std::string out = "sweep";
@@ -28,7 +31,8 @@ struct SweepScene {
   std::string name;
   int width, height;
   std::string digest;  // of the file; empty if built in
-  model::Projection project;
+  model::Subject subject;
+  std::function<ref::Scene(double)> at = nullptr;  // of a sweep of motion: at a time
 };
 
 struct SweepPoint {
@@ -44,6 +48,9 @@ struct Sweep {
   std::vector<SweepScene> scenes;
   std::vector<SweepConfig> configs;
   std::vector<std::string> targets;  // of the area
+  bool motion = false;               // of frames between key frames
+  std::pair<int, int> frames;        // of that
+  ref::IdealLook finest;             // of the ideal pictures: no feature of a configuration is finer
   std::vector<SweepPoint> points;    // pictures first
 };
 

@@ -10,6 +10,7 @@
 #include "model/pipeline/memories.hpp"
 #include "model/pipeline/multipliers.hpp"
 #include "ref/error.hpp"
+#include "study/trade/motion_trade.hpp"
 #include "vectors/staging.hpp"
 
 namespace halfspace::cli {
@@ -40,7 +41,9 @@ void add_costs(const SweepConfig& config, Json& row) {
   row["memory_bits"] = row["multiplier_bits"] = nullptr;
   if (!config.refused.empty()) return;
   const model::StampSize stamp = model::stamp_size(config.numbers.lanes);
-  row["memory_bits"] = model::memory_bits(config.numbers, stamp.x, stamp.y).total();
+  row["memory_bits"] = model::memory_bits(config.numbers, stamp.x, stamp.y).total() +
+                       model::texture_bits(config.numbers).total() +
+                       (has_motion(config.numbers) ? model::key_frame_bits(config.numbers) : 0);
   if (const auto bits = model::multiplier_bits(config.numbers)) row["multiplier_bits"] = *bits;
 }
 
@@ -55,11 +58,12 @@ bool dominates(const Json& a, const Json& b, const std::vector<std::string>& cos
   return better;
 }
 
-// pareto_cycles, pareto_lut, pareto_memory, pareto_multiplier, pareto: no other configuration on the same scene has a
-// PSNR as high for as little, and less in one; the last is of cycles and LUTs together.
+// pareto_cycles, pareto_lut, pareto_memory, pareto_multiplier, pareto_bytes, pareto: no other configuration on the same
+// scene has a PSNR as high for as little, and less in one; the last is of cycles and LUTs together.
 void mark_fronts(const Sweep& sweep, std::vector<Json>& rows) {
   const std::string lut = lut_column(sweep);
-  std::vector<std::pair<std::string, std::vector<std::string>>> fronts = {{"pareto_cycles", {"cycles"}}};
+  std::vector<std::pair<std::string, std::vector<std::string>>> fronts = {{"pareto_cycles", {"cycles"}},
+                                                                          {"pareto_bytes", {"bytes"}}};
   if (!lut.empty()) fronts.insert(fronts.end(), {{"pareto_lut", {lut}}, {"pareto", {"cycles", lut}}});
   for (const std::string cost : {"memory", "multiplier"}) fronts.push_back({"pareto_" + cost, {cost + "_bits"}});
   for (const auto& [name, costs] : fronts) {
@@ -125,6 +129,7 @@ std::vector<Json> sweep_rows(const Sweep& sweep) {
       for (const auto& item : numbers.items()) {
         row[item.key() == "width" || item.key() == "height" ? "largest_" + item.key() : item.key()] = item.value();
       }
+      if (sweep.motion) row[kKeys] = config.between;
       row.update(columns);
       add_costs(config, row);
       if (config.refused.empty()) row.update(pictures[{s, c}]);

@@ -38,15 +38,37 @@ void add_object_uses(std::uint64_t pixels, std::uint64_t triangles, ref::BufferU
   uses.object.written += triangles;
 }
 
+namespace {
+
+// Entries that an address of a database tells apart.
+std::uint64_t whole_address(int triangles) {
+  std::uint64_t entries = 1;
+  while (entries < std::uint64_t(triangles)) entries *= 2;
+  return entries;
+}
+
+}  // namespace
+
 MemoryBits memory_bits(const Config& c, int lanes_x, int lanes_y) {
   const BufferBits entry = entry_bits(c);
   const auto stamps = [](int size, int lanes) { return std::uint64_t(size + lanes - 1) / lanes; };
   const std::uint64_t pixels = stamps(c.width, lanes_x) * stamps(c.height, lanes_y) * lanes_x * lanes_y;
-  std::uint64_t triangles = 1;
-  while (triangles < std::uint64_t(c.triangles)) triangles *= 2;
+  const std::uint64_t triangles = whole_address(c.triangles);
   const std::uint64_t depth_banks = has_objects(c) ? 2 : 1;
   return {2 * pixels * entry.index, depth_banks * pixels * entry.depth, 2 * triangles * entry.shading,
           triangles * entry.visibility, 2 * triangles * entry.object};
+}
+
+int coordinate_planes_bits(const Config& c) {
+  const FormatTable t = format_table(c);
+  if (!has_texture(c)) return 0;
+  return t.texture.width + t.repeats.width + (has_perspective(c) ? 9 : 6) * t.coordinate_plane.width;
+}
+
+TextureBits texture_bits(const Config& c) {
+  if (!has_texture(c)) return {};
+  return {2 * whole_address(c.triangles) * std::uint64_t(coordinate_planes_bits(c)),
+          std::uint64_t(c.texels) * texel_bits(c)};
 }
 
 }  // namespace halfspace::model

@@ -47,6 +47,16 @@ struct MemoryBits {
 };
 MemoryBits memory_bits(const Config&, int lanes_x = 1, int lanes_y = 1);
 
+// Of texture, which are beside these: two banks of planes of coordinates, and the texels. 0 without.
+struct TextureBits {
+  std::uint64_t planes = 0, texels = 0;
+  std::uint64_t total() const { return planes + texels; }
+};
+TextureBits texture_bits(const Config&);
+// Bits of the planes of coordinates of a triangle, and of a texel.
+int coordinate_planes_bits(const Config&);
+constexpr int texel_bits(const Config& c) { return 3 * c.colour_bits; }
+
 }  // namespace halfspace::model
 
 #endif  // HALFSPACE_MODEL_PIPELINE_MEMORIES_HPP_

@@ -89,10 +89,10 @@ class LitSurface : public Surface {
 
 class PhongSurface : public Surface {
  public:
-  PhongSurface(Geometry& geometry, const SnappedList& list)
+  PhongSurface(Geometry& geometry, const SnappedList& list, int most_squarings)
       : geometry_(geometry),
         list_(list),
-        scene_(distant_scene(geometry.scene(), geometry.viewpoint(), kMostSquarings)) {}
+        scene_(distant_scene(geometry.scene(), geometry.viewpoint(), most_squarings)) {}
 
   int light(std::uint32_t) override { return 0; }
   std::array<std::uint8_t, 4> colour(std::uint32_t k, int x, int y, std::uint64_t& lightings, std::uint64_t&) override {
@@ -107,8 +107,6 @@ class PhongSurface : public Surface {
   }
 
  private:
-  static constexpr int kMostSquarings = 4;  // gloss 16
-
   void set(std::uint32_t k) {
     k_ = k;
     triangle_.emplace(list_.triangles[k - 1]);
@@ -190,8 +188,9 @@ glm::dvec3 normal_at(const OrderedTriangle& triangle, const std::array<glm::dvec
 
 std::unique_ptr<Surface> given_surface(const SnappedList& list) { return std::make_unique<GivenSurface>(list); }
 
-std::unique_ptr<Surface> lit_surface(Geometry& geometry, const SnappedList& list, ShadingMode mode) {
-  if (mode == ShadingMode::kPhong) return std::make_unique<PhongSurface>(geometry, list);
+std::unique_ptr<Surface> lit_surface(Geometry& geometry, const SnappedList& list, ShadingMode mode,
+                                     int most_squarings) {
+  if (mode == ShadingMode::kPhong) return std::make_unique<PhongSurface>(geometry, list, most_squarings);
   return std::make_unique<LitSurface>(geometry, list, mode == ShadingMode::kFlat);
 }
 

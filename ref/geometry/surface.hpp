@@ -38,8 +38,9 @@ std::unique_ptr<Surface> given_surface(const SnappedList&);
 
 // The triangles of a geometry, lit when they are asked for. `list` are its positions, snapped. Both outlive it.
 //   flat: one lighting a triangle, of vertex 0; Gouraud: three, and exact planes over their rounded colours;
-//   Phong: one a pixel, of the normal by planes over the snapped triangle, with lights and viewer at infinity.
-std::unique_ptr<Surface> lit_surface(Geometry&, const SnappedList& list, ShadingMode);
+//   Phong: one a pixel, of the normal by planes over the snapped triangle, with lights and viewer at infinity, and
+//   highlights of exponents up to 2^most_squarings, or of none if that is −1.
+std::unique_ptr<Surface> lit_surface(Geometry&, const SnappedList& list, ShadingMode, int most_squarings = 4);
 
 // How texture coordinates vary over a triangle on the screen.
 enum class TextureMapping {

@@ -39,6 +39,11 @@ struct IdealTriangle {
     std::swap(x[1], x[2]), std::swap(y[1], y[2]), std::swap(vertex[1], vertex[2]);
   }
 
+  // Of the vertices as they came.
+  std::array<double, 3> as_given(const std::array<double, 3>& weights) const {
+    return vertex[1] < vertex[2] ? weights : std::array<double, 3>{weights[0], weights[2], weights[1]};
+  }
+
   // Twice the area of vertex i, the next one and a point: the weight of the third vertex there, not negative inside.
   Wide weight(int i, Wide px, Wide py) const {
     const int j = (i + 1) % 3;
@@ -105,7 +110,7 @@ std::uint32_t face_of(const TriangleList& list, std::uint32_t index) {
   return index == 0 || list.face.empty() ? index : list.face[index - 1];
 }
 
-IdealFrame ideal(const TriangleList& list) {
+IdealFrame ideal(const TriangleList& list, const IdealShade& shade) {
   check(list);
   const std::int64_t width = list.width;
   const std::size_t pixels = std::size_t(width) * list.height;
@@ -139,7 +144,9 @@ IdealFrame ideal(const TriangleList& list) {
       const IdealTriangle t(list.triangles[k - 1]);
       along(t, row, {first, last}, [&](std::int64_t column, const std::array<double, 3>& weights) {
         const std::size_t at = std::size_t(row * width + column);
-        frame.colour[at] = {mean(weights, t, &Vertex::r), mean(weights, t, &Vertex::g), mean(weights, t, &Vertex::b)};
+        frame.colour[at] = shade ? shade(k, t.as_given(weights))
+                                 : std::array<double, 3>{mean(weights, t, &Vertex::r), mean(weights, t, &Vertex::g),
+                                                         mean(weights, t, &Vertex::b)};
         index[at] = face_of(list, k);
       });
     }

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "ref/geometry/geometry.hpp"
@@ -36,9 +37,13 @@ struct IdealFrame {
 // The number of the face that triangle `index` (from 1 on) of the list is a part of; 0 for 0.
 std::uint32_t face_of(const TriangleList&, std::uint32_t index);
 
-// Depth test less: the first drawn wins a tie, and what lies at depth 1 is not seen. Error when a position is beyond
-// the range.
-IdealFrame ideal(const TriangleList&);
+// The colour, 0-255, of triangle `k` (from 1 on) at a point of the frame, where its vertices in the order given weigh
+// so much, 1 together. A pixel after another of a triangle in a row.
+using IdealShade = std::function<std::array<double, 3>(std::uint32_t k, const std::array<double, 3>& weights)>;
+
+// Depth test less: the first drawn wins a tie, and what lies at depth 1 is not seen. Without `shade` the colours of the
+// vertices are mixed. Error when a position is beyond the range.
+IdealFrame ideal(const TriangleList&, const IdealShade& shade = nullptr);
 
 }  // namespace halfspace::ref
 

@@ -2,9 +2,9 @@
 """What is measured: hs_pipeline as Yosys elaborates it for a package and a number of lanes, taken apart.
 
 The parts are the units, and `composition`: all that hs_pipeline adds to them (queues, frame control, the multiplexers
-of the I-buffer). hs_ztest_merge, which stands beside it, is one where pixels know their objects. Each part is a flat
-module in RTLIL in which nothing is left of a file's place, of its line numbers, or of the numbers that Yosys counts up:
-so a part has the same text whenever it is the same hardware.
+of the I-buffer). hs_ztest_merge and hs_motion_compensate, which stand beside it, are ones where the configuration has
+them. Each part is a flat module in RTLIL in which nothing is left of a file's place, of its line numbers, or of the
+numbers that Yosys counts up: so a part has the same text whenever it is the same hardware.
 """
 
 import dataclasses
@@ -16,15 +16,17 @@ import tempfile
 from rtlil import TOP, canonical, memories, module, ports
 from tools import AreaError, run, say
 
+sys.set_int_max_str_digits(0)  # constants are as long as what a memory starts with
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 from units import CONFIG, LANES, below, constants, has, parameters  # noqa: E402
 
-UNITS = ("triangle_setup", "light_vertex", "shade_setup", "phong_setup", "raster_pineda", "ztest_index", "ztest_plane",
-         "scan_index",
-         "shade_gouraud", "shade_phong", "scan_object", "ztest_merge")
+UNITS = ("triangle_setup", "light_vertex", "shade_setup", "phong_setup", "texture_setup", "motion_setup",
+         "raster_pineda", "ztest_index", "ztest_plane", "scan_index", "shade_gouraud", "shade_phong", "shade_texture",
+         "motion_field", "motion_compensate", "scan_object", "ztest_merge")
 COMPOSITION = "composition"
 # Memories of the frame, which an FPGA may hold elsewhere: they are counted in bits, not mapped.
-BUFFERS = ("depth_buffer", "visibility_database", "shading_database", "index_buffer", "object_table")
+BUFFERS = ("depth_buffer", "visibility_database", "shading_database", "texture_database", "motion_database",
+           "index_buffer", "object_table")
 
 
 @dataclasses.dataclass
@@ -113,12 +115,14 @@ def flatten(yosys, rtl, package, top, lanes, title, text, keep=""):
     if not sources:
         raise AreaError(f"there is no {top}.sv in {rtl}: name the folder with --rtl")
     given = parameters(sources[top].read_text(), lanes, constants(text))
-    chparam = " ".join(f"-chparam {name} {value}" for name, value in given.items())
+    # Set before: with the option of `hierarchy` Yosys 0.23 makes a module of a loop twice, and gives up.
+    chosen = " ".join(f"-set {name} {value}" for name, value in given.items())
+    chparam = f"chparam {chosen} {top}; " if given else ""
     with tempfile.TemporaryDirectory(prefix="halfspace-area-") as folder:
         out = pathlib.Path(folder) / "flat.il"
         files = " ".join(str(path.relative_to(rtl)) for path in sources.values())
-        script = (f'read_verilog -sv "{package.resolve()}" {files}; '
-                  f"hierarchy -check -top {top} {chparam}; proc; chformal -remove; check -assert; {keep}"
+        script = (f'read_verilog -sv "{package.resolve()}" {files}; {chparam}'
+                  f"hierarchy -check -top {top}; proc; chformal -remove; check -assert; {keep}"
                   f'flatten; opt_clean; write_rtlil "{out}"')
         run([yosys, "-q", "-p", script], title, cwd=rtl)
         found = re.findall(r"^module (\S+)\n(.*?)^end$", out.read_text(), re.MULTILINE | re.DOTALL)

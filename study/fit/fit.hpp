@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cheapest configuration that draws a scene as accurately as asked.
+// The cheapest configuration that draws a scene as accurately as asked, with its lights and its textures.
 //
-// The search begins with a configuration that is more than enough and takes away, in the order of what it saves: the
-// Z-buffer, the colour planes, then bits of depth, colour, positions, gradients and the reciprocal, each as long as
-// every frame keeps the goal; again until nothing more can go. Type γ, which draws the same frames, takes the place of
-// what needs a Z-buffer where it is smaller, unless pixels know their objects. The range, the frame and the number of
-// triangles follow from the scene. So a bit less anywhere is refused or breaks the goal, which `less` shows for each
-// number.
+// The search begins with a configuration that is more than enough and takes away: units that may not be there at all
+// (the Z-buffer; planes of normals, of colours; weights of texels, the division a pixel), and then a step of each
+// number as long as every frame keeps the goal, again until nothing more can go. It does so in several orders, and then
+// tries whether a step more of one number saves more of the others; what costs least is taken. Type γ, which draws the
+// same frames, takes the place of what needs a Z-buffer where it is smaller, unless pixels know their objects. The
+// range, the frame, the numbers of triangles, lights, materials and textures follow from the scene. So a step less
+// anywhere is refused or breaks the goal, which `less` shows for each number and each unit.
 #ifndef HALFSPACE_STUDY_FIT_FIT_HPP_
 #define HALFSPACE_STUDY_FIT_FIT_HPP_
 
@@ -21,10 +22,20 @@
 
 namespace halfspace::model {
 
+// What is to be least: bits of the memories of a frame; LUTs or DSPs, of which the bits of all numbers in the circuit
+// tell the search, and a synthesis the best of what it found; cycles or bytes of the frame that takes most.
+enum class FitCost { kMemory, kLut, kDsp, kCycles, kBytes };
+constexpr const char* kFitCosts[] = {"memory", "lut", "dsp", "cycles", "bytes"};
+
 struct FitGoal {
   double psnr = 45;  // dB against the ideal picture, of each frame; 0: not asked
   double max_lsb =
       0;  // largest error of a colour against the ideal, LSB of 8 bits, where both show the same face; 0: not asked
+  std::int64_t wrong_pixels = -1;  // of a frame, that show another face than the ideal; −1: not asked
+  ref::IdealLook look = {};        // of the ideal picture. Distant: the hardware lights
+  FitCost cost = FitCost::kMemory;
+  // LUTs or DSPs of a configuration, by a synthesis; none: the bits of its numbers decide alone.
+  std::function<double(const Configuration&)> measured = nullptr;
   std::uint64_t cycles = 0;     // a frame at most, by the model; 0: not asked
   bool static_objects = false;  // S-buffers for what stands still, where they save cycles
 };
@@ -33,8 +44,7 @@ struct FitScene {
   std::string name;
   int width, height;
   std::vector<double> times;  // seconds, of the frames; all of a view, then all of the next
-  std::vector<Projection> frames;
-  std::vector<std::shared_ptr<const ref::Scene>> scenes = {};  // of the frames; none of what is no scene
+  std::vector<Subject> frames;
   std::size_t views = 1;
 
   std::size_t side(std::size_t frame) const { return frame / (frames.size() / views); }
@@ -64,7 +74,7 @@ struct FitOutcome {
 };
 
 struct FitLess {
-  std::string change;  // "depth_bits 16 -> 15"
+  std::string change;  // "depth_bits 16 -> 15", "shading phong -> gouraud"
   std::string result;  // why not
 };
 
@@ -93,6 +103,8 @@ struct Fit {
   FitOutcome outcome;
   std::vector<FitLess> less;
   std::uint64_t tried = 0;  // configurations
+  std::size_t ends = 1;     // of the search, where nothing could be taken away
+  double cost = 0;          // as it was asked for; LUTs and DSPs that no synthesis counted: bits of numbers
   FitArchitecture architecture;
   FitObjects objects;
 };

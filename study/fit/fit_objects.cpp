@@ -18,14 +18,15 @@ FitObjects choose_objects(Config& c, const FitScene& scene,
     return found;
   };
   if (!has_depth(c)) return because("no depth is compared");
-  if (scene.scenes.size() < 2 * scene.views) return because("one frame has no motion");
-  found.objects = scene.scenes.front()->instances.size();
+  if (!scene.frames.front().scene()) return because("a list of triangles has no objects");
+  if (scene.frames.size() < 2 * scene.views) return because("one frame has no motion");
+  found.objects = scene.frames.front().scene()->instances.size();
   const double aspect = double(scene.width) / scene.height;
   FitScene moving = scene;
   moving.frames.clear(), moving.views = 1;
   // Depths of two frames compare if they are of the same planes.
   std::vector<const ref::Scene*> times;
-  for (const auto& time : scene.scenes) times.push_back(time.get());
+  for (const Subject& at : scene.frames) times.push_back((has_texture(c) ? at.textured() : at.scene()).get());
   const ref::DepthPlanes planes = ref::held_planes(times, aspect);
   const auto held = [&](std::size_t k) {
     ref::Scene result = *times[k];
@@ -43,8 +44,8 @@ FitObjects choose_objects(Config& c, const FitScene& scene,
     const std::size_t standing = std::size_t(std::count(stands.begin(), stands.end(), true));
     found.standing = k == 1 ? standing : std::min(found.standing, standing);
     found.moving = std::max(found.moving, stands.size() - standing);
-    moving.frames.push_back(
-        [part = ref::without(now, stands)](const ref::View& view) { return ref::project(part, view); });
+    const auto part = std::make_shared<ref::Scene>(ref::without(now, stands));
+    moving.frames.emplace_back(part, has_texture(c) ? part : nullptr);
     before = std::move(now);
   }
   if (found.moving == 0) return because("nothing moves");

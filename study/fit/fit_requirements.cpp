@@ -78,7 +78,7 @@ Requirements requirements(const FitScene& scene) {
   r.x_high = r.y_high = std::numeric_limits<double>::lowest();
   ref::TriangleList before;
   for (std::size_t frame = 0; frame < scene.frames.size(); ++frame) {
-    ref::TriangleList list = scene.frames[frame](ref::ideal_view(scene.width, scene.height));
+    ref::TriangleList list = scene.frames[frame].triangles(ref::ideal_view(scene.width, scene.height));
     r.triangles = std::max(r.triangles, list.triangles.size());
     Layers layers(scene.width, scene.height);
     for (const Triangle& t : list.triangles) {

@@ -49,14 +49,15 @@ PictureError picture_error(const ref::IdealFrame& ideal, const ref::TriangleList
 
 StoredError stored_error(const ref::Frame& reference, const ref::Frame& kernels, int depth_bits) {
   StoredError result;
+  if (reference.exact_colour.empty()) result.colour_largest.reset();
   for (std::size_t n = 0; n < reference.index.size(); ++n) {
     if (reference.index[n] == 0 || reference.index[n] != kernels.index[n]) continue;
     if (depth_bits) {
       result.depth_largest = std::max(result.depth_largest, std::abs(kernels.depth[n] - reference.exact_depth[n]));
     }
-    for (int c = 0; c < 3; ++c) {
+    for (int c = 0; c < 3 && result.colour_largest; ++c) {
       result.colour_largest =
-          std::max(result.colour_largest, std::abs(kernels.colour[n][c] - reference.exact_colour[n][c]));
+          std::max(*result.colour_largest, std::abs(kernels.colour[n][c] - reference.exact_colour[n][c]));
     }
   }
   return result;
@@ -100,28 +101,46 @@ double median_ms(Engine& engine, const ref::SnappedList& scene) {
 
 }  // namespace
 
-Trade measure_trade(const Projection& project, int width, int height, const Configuration& configuration, int lanes) {
+// Of a finished frame: each of its visible triangles is stored, each pixel reads the planes of its triangle, and texels
+// if that has a texture.
+std::uint64_t texture_bytes(const Config& c, const TextureFrame& textures, const ref::Frame& frame) {
+  if (!has_texture(c)) return 0;
+  std::vector<bool> seen(textures.triangles.size());
+  std::uint64_t stored = 0, read = 0, texels = 0;
+  for (const std::uint32_t index : frame.index) {
+    if (index == 0) continue;
+    stored += !seen[index - 1], seen[index - 1] = true;
+    ++read;
+    if (textures.triangles[index - 1].texture != 0) texels += is_bilinear(c) ? 4 : 1;
+  }
+  const int planes = coordinate_planes_bits(c);
+  return bytes_of(stored, planes) + bytes_of(read, planes) + bytes_of(texels, texel_bits(c));
+}
+
+Trade measure_trade(const Subject& subject, int width, int height, const Configuration& configuration, int lanes,
+                    const ref::IdealLook& look) {
   const Config config = configuration.config();
-  const ref::RasterFormat format = raster_format(configuration);
   const auto engine = make_engine(configuration, lanes);
   Trade trade;
   ShimmerMeter meter;
   for (int k = 0; k < kPanFrames; ++k) {
     const double x = k * kPanX, y = k * kPanY;
-    const ref::TriangleList list = project({width, height, config.range_bits, config.subpixel_bits, x, y});
-    const ref::SnappedList scene = ref::snap(list, format, raster_formats());
+    const Subject::Drawn drawn = subject.drawn(config, width, height, x, y);
+    const ref::SnappedList& scene = drawn.frame.scene;
+    load_frame(*engine, config, drawn.frame);
     const ref::Frame frame = engine->render(scene);
-    const ref::IdealFrame ideal = ref::ideal(project(ref::ideal_view(width, height, x, y)));
-    meter.add(ideal, list, frame);
+    const ref::IdealFrame ideal = subject.ideal(look, width, height, x, y);
+    meter.add(ideal, drawn.list, frame);
     if (k != 0) continue;
     trade.triangles = scene.triangles.size();
-    trade.ideal = picture_error(ideal, list, frame, config.depth_bits);
-    const ref::Frame reference = ref::render(scene);
+    trade.ideal = picture_error(ideal, drawn.list, frame, config.depth_bits);
+    const ref::Frame reference = subject.reference(config, drawn);
     trade.reference = accuracy(reference, frame, config.depth_bits);
     trade.stored = stored_error(reference, frame, config.depth_bits);
     trade.intervals = unit_intervals(config);
     trade.cycles = model_cycles(config, *engine, scene, frame);
     trade.accesses = count_accesses(config, *engine, scene);
+    trade.texture_bytes = texture_bytes(config, drawn.frame.texture, frame);
     trade.native_ms = median_ms(*engine, scene);
   }
   trade.shimmer = meter.result();

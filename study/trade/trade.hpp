@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "model/formats/configuration.hpp"
@@ -14,6 +15,7 @@
 #include "ref/raster/ideal.hpp"
 #include "ref/raster/raster.hpp"
 #include "study/trade/accuracy.hpp"
+#include "study/trade/subject.hpp"
 
 namespace halfspace::model {
 
@@ -37,8 +39,8 @@ PictureError picture_error(const ref::IdealFrame& ideal, const ref::TriangleList
 // Of stored values against those that the reference has before rounding, on the same snapped triangles, where both show
 // the same triangle: ½ where everything is rounded to the nearest.
 struct StoredError {
-  double depth_largest = 0;   // LSB of the stored depth; 0 without one
-  double colour_largest = 0;  // of a channel, LSB of 8 bits
+  double depth_largest = 0;                    // LSB of the stored depth; 0 without one
+  std::optional<double> colour_largest = 0.0;  // of a channel, LSB of 8 bits; none where the reference has none
 };
 StoredError stored_error(const ref::Frame& reference, const ref::Frame& kernels, int depth_bits);
 
@@ -77,15 +79,19 @@ struct Trade {
   UnitIntervals intervals;
   Cycles cycles;
   Accesses accesses;
-  bool compiled = false;  // the kernels, and not read at run time
-  double native_ms = 0;   // a frame by the kernels, on one thread of this machine, the median of five
+  std::uint64_t texture_bytes = 0;  // read and written a frame beside those: texels, and planes of coordinates
+  bool compiled = false;            // the kernels, and not read at run time
+  double native_ms = 0;             // a frame by the kernels, on one thread of this machine, the median of five
 };
+
+// Bytes that texture reads and writes a frame that came out so: texels, and planes of coordinates.
+std::uint64_t texture_bytes(const Config&, const TextureFrame&, const ref::Frame&);
 
 // A scene as the geometry hands it to a view.
 using Projection = std::function<ref::TriangleList(const ref::View&)>;
 
-// Throws ref::Error when the scene does not fit.
-Trade measure_trade(const Projection&, int width, int height, const Configuration&, int lanes);
+// Against the ideal picture by `look`. Throws ref::Error when the subject does not fit.
+Trade measure_trade(const Subject&, int width, int height, const Configuration&, int lanes, const ref::IdealLook& look);
 
 }  // namespace halfspace::model
 

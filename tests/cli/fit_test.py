@@ -84,9 +84,8 @@ def main():
         stem = pathlib.Path(scene).stem
         toml, report = folder / f"{stem}.toml", folder / f"{stem}.json"
         place = [] if scene.endswith(".tri") else ["--size", size]
-        run(halfspace, "fit", scene, *place, *(["--frames", frames] if frames else []), "--psnr", PSNR, "--area",
-            "none", "-o", toml,
-            "--json", report, "--work", folder / stem)
+        run(halfspace, "fit", scene, *place, *(["--frames", frames] if frames else []), "--psnr", PSNR, "--texture",
+            "none", "--area", "none", "-o", toml, "--json", report, "--work", folder / stem)
         found = json.loads(report.read_text())
         times = [k / 25 for k in range(found["frames"])]
         seen = second_look(halfspace, scene, size, times, toml, folder)

@@ -161,7 +161,7 @@ TEST(Trade, StoredErrorIsOfTheSameTriangles) {
   s.frame.index[2] = 2;
   const model::StoredError e = model::stored_error(reference, s.frame, 8);
   EXPECT_DOUBLE_EQ(e.depth_largest, 0.5);
-  EXPECT_DOUBLE_EQ(e.colour_largest, 0.25);
+  EXPECT_DOUBLE_EQ(*e.colour_largest, 0.25);
   EXPECT_EQ(model::stored_error(reference, s.frame, 0).depth_largest, 0);
 }
 
@@ -184,12 +184,12 @@ TEST(Trade, ShimmerIsWhatChanges) {
 
 TEST(Trade, SubpixelBitsBuyEdges) {
   const ref::Scene scene = ref::load_scene("teapot");
-  const model::Projection project = [&](const ref::View& view) { return ref::project(scene, view); };
+  const model::Subject subject(std::make_shared<ref::Scene>(scene));
   model::Trade last;
   for (const int f : {1, 4, 7}) {
     Config config = model::find_configuration("middle").config();
     config.subpixel_bits = f;
-    const model::Trade trade = model::measure_trade(project, 160, 120, {"test", config}, 4);
+    const model::Trade trade = model::measure_trade(subject, 160, 120, {"test", config}, 4, {});
     EXPECT_FALSE(trade.compiled);
     EXPECT_GT(trade.native_ms, 0);
     EXPECT_EQ(trade.reference.covered_differ, 0u);
@@ -207,9 +207,9 @@ TEST(Trade, SubpixelBitsBuyEdges) {
 
 TEST(Trade, WhatIsNotThereHasNoTraffic) {
   const ref::Scene scene = ref::load_scene("cube");
-  const model::Projection project = [&](const ref::View& view) { return ref::project(scene, view); };
+  const model::Subject subject(std::make_shared<ref::Scene>(scene));
   const Config flat{"flat", 160, 120, 100, 9, 6, 0, 8, 0, 0, 0, 4, Shading::kFlat};
-  const model::Trade trade = model::measure_trade(project, 160, 120, {"flat", flat}, 1);
+  const model::Trade trade = model::measure_trade(subject, 160, 120, {"flat", flat}, 1, {});
   const model::Accesses& a = trade.accesses;
   EXPECT_EQ(a.words.depth.read + a.words.depth.written, 0u);
   EXPECT_EQ(a.words.shading.written, trade.triangles);
