@@ -29,6 +29,14 @@ struct ColourBox {
 struct ColourBound {
   std::array<double, 3> exact{};  // before it is rounded, LSB
   std::vector<ColourBox> boxes;   // it lies in one of them; none: nothing is said of it
+
+  // Whether a channel may be two places apart at most, and the exact colour is next to these: not where a highlight
+  // is switched between the exact normal and its words.
+  bool is_sharp(std::size_t c) const {
+    double low = boxes[0].low[c], high = boxes[0].high[c];
+    for (const ColourBox& box : boxes) low = std::min(low, box.low[c]), high = std::max(high, box.high[c]);
+    return high - low <= 2 && exact[c] > low - 1 && exact[c] < high + 1;
+  }
 };
 
 constexpr double kTinyShare = 1e-9;

@@ -54,20 +54,18 @@ inline bool is_constant(const std::array<int, 3>& of_vertex) {
   return of_vertex[0] == of_vertex[1] && of_vertex[1] == of_vertex[2];
 }
 
-// What a frame came to. Judged: numbers that have a bound which says something. Differ: those that are not the
-// reference's, rounded.
+// What a frame came to, of all numbers that a bound says something of. Sharp: those that may be two places around the
+// exact one at most, and so are compared with it; the others are where it is steep, as at the horizon, or jumps.
 struct Measured {
-  std::uint64_t judged = 0, differ = 0, blind = 0;
-  double largest = 0;  // difference from the reference, LSB or pixels
+  std::uint64_t judged = 0, sharp = 0, differ = 0, blind = 0;
+  double largest = 0;  // difference of a sharp one from the exact one, LSB or pixels
 
-  void see(double difference, bool differs) {
+  void see(double difference, bool differs, bool is_sharp = true) {
     ++judged;
+    if (!is_sharp) return;
+    ++sharp;
     differ += differs;
     largest = std::max(largest, difference);
-  }
-  void add(const Measured& o) {
-    judged += o.judged, differ += o.differ, blind += o.blind;
-    largest = std::max(largest, o.largest);
   }
 };
 

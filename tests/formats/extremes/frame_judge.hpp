@@ -72,11 +72,11 @@ class FrameJudge {
       if (!what.empty()) return;
       std::array<int, 3> rgb;
       for (std::size_t c = 0; c < 3; ++c) rgb[c] = ref::snapped_colour(kernels.colour[at][c], c_.colour_bits);
-      if (measured) {
-        for (std::size_t c = 0; c < 3; ++c) {
-          if (bound.boxes.empty()) ++measured->blind;
-          else measured->see(std::fabs(rgb[c] - bound.exact[c]), rgb[c] != int(std::floor(bound.exact[c] + 0.5)));
-        }
+      for (std::size_t c = 0; measured && c < 3; ++c) {
+        if (bound.boxes.empty()) ++measured->blind;
+        else
+          measured->see(std::fabs(rgb[c] - bound.exact[c]), rgb[c] != int(std::floor(bound.exact[c] + 0.5)),
+                        bound.is_sharp(c));
       }
       for (const ColourBox& box : bound.boxes) {
         if (box.holds(rgb)) return;
@@ -146,7 +146,7 @@ class FrameJudge {
       const double off = std::fabs((axis ? got.y : got.x) * unit - vector[axis]);
       if (off > error[axis] + unit / 2)
         return where("vector", at) + fmt::format(": {:.4f} pixels off, bound {:.4f}", off, error[axis] + unit / 2);
-      if (measured) measured->see(off, off > unit / 2);
+      if (measured) measured->see(off, off > unit / 2, error[axis] <= unit);
     }
     return got.there && relights(c_) ? difference_fault(given, got, pixel, at) : "";
   }

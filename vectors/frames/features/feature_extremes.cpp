@@ -36,17 +36,17 @@ TextureFrame no_texture(std::size_t triangles, const Config& config) {
 const std::vector<FeatureExtremeClass>& feature_extreme_classes() {
   static const std::vector<FeatureExtremeClass> classes = {
       {"lengths of normals", has_lighting, normal_extremes},
-      {"light", has_lighting, light_extremes},
-      {"materials", has_lighting, material_extremes},
+      {"grazing and full light", has_lighting, light_extremes},
+      {"tables of materials", has_lighting, material_extremes},
       {"opposite normals", has_lighting, opposite_normal_extremes},
       {"planes of normals", is_phong, normal_plane_extremes},
-      {"borders and seams", has_texture, texel_border_extremes},
+      {"texel borders and seams", has_texture, texel_border_extremes},
       {"horizon", has_perspective_texture, horizon_extremes},
       {"repetitions", has_texture, repetition_extremes},
       {"sizes of textures", has_texture, texture_size_extremes},
       {"planes of coordinates", has_texture, coordinate_plane_extremes},
       {"ends of vectors", has_motion, vector_extremes},
-      {"extents, keys", has_motion, place_extremes},
+      {"extents, keys, q", has_motion, place_extremes},
       {"planes of places", has_motion, place_plane_extremes},
       {"objects", has_objects, object_extremes},
   };
