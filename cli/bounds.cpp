@@ -68,6 +68,16 @@ void print_table(const std::vector<std::vector<std::string>>& rows, bool markdow
   std::fputs(text.c_str(), stdout);
 }
 
+// What the configuration has planes of.
+std::vector<model::PlaneKind> planes_of(const BoundsReport& report) {
+  std::vector<model::PlaneKind> kinds;
+  for (int n = 0; n < model::kPlaneKinds; ++n) {
+    const auto kind = model::PlaneKind(n);
+    if (report.rows[model::plane_row(kind)].present()) kinds.push_back(kind);
+  }
+  return kinds;
+}
+
 std::string seen_text(const BoundRow& row) {
   if (row.compared == 0) return "–";
   return row.exact() ? fmt::format("{} of {}", row.exceeded, row.compared) : fmt::format("{:.4g}", row.seen);
@@ -95,15 +105,17 @@ void print_report(const Configuration& configuration, const BoundsReport& report
   if (!report.classes.empty()) {
     fmt::print(
         "\nplanes at covered centres, before rounding: largest error in LSB, and its share of the bound there\n\n");
-    rows = {{"class", "triangles", "pixels", "depth", "share", "colour", "share"}};
-    auto error = [&](model::Quantity plane, const char* format, double value) {
-      return report.rows[plane].present() ? fmt::format(fmt::runtime(format), value) : "–";
-    };
+    rows = {{"class", "triangles", "pixels"}};
+    for (const model::PlaneKind kind : planes_of(report)) {
+      rows[0].push_back(model::plane_name(kind));
+      rows[0].push_back("share");
+    }
     for (const auto& c : report.classes) {
-      rows.push_back(
-          {c.name, std::to_string(c.triangles), std::to_string(c.pixels), error(model::kDepthPlane, "{:.3g}", c.depth),
-           error(model::kDepthPlane, "{:.1f} %", 100 * c.depth_share), error(model::kColourPlane, "{:.3g}", c.colour),
-           error(model::kColourPlane, "{:.1f} %", 100 * c.colour_share)});
+      rows.push_back({c.name, std::to_string(c.triangles), std::to_string(c.pixels)});
+      for (const model::PlaneKind kind : planes_of(report)) {
+        rows.back().push_back(fmt::format("{:.3g}", c.planes[kind].error));
+        rows.back().push_back(fmt::format("{:.1f} %", 100 * c.planes[kind].share));
+      }
     }
     print_table(rows, options.markdown);
   }
@@ -151,8 +163,10 @@ int bounds(const BoundsOptions& options) {
   }
   for (const auto& c : report.classes) {
     Json row = {{"class", c.name}, {"triangles", c.triangles}, {"pixels", c.pixels}};
-    if (report.rows[model::kDepthPlane].present()) row["depth"] = c.depth, row["depth_share"] = c.depth_share;
-    if (report.rows[model::kColourPlane].present()) row["colour"] = c.colour, row["colour_share"] = c.colour_share;
+    for (const model::PlaneKind kind : planes_of(report)) {
+      row[model::plane_name(kind)] = c.planes[kind].error;
+      row[model::plane_name(kind) + std::string("_share")] = c.planes[kind].share;
+    }
     json["classes"].push_back(row);
   }
   write_json(options.json, json);

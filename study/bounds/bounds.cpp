@@ -8,18 +8,22 @@
 
 #include "study/bounds/bounds_measure.hpp"
 #include "study/bounds/lighting_measure.hpp"
-#include "study/proofs/bounds_proved.hpp"
-#include "study/proofs/lighting_bounds.hpp"
 
 namespace halfspace::model {
 
 bool BoundRow::see(double error, double bound) {
   ++compared;
   error = std::fabs(error);
-  if (error > bound) ++exceeded;
+  if (!(error <= bound)) ++exceeded;
   if (error <= seen) return false;
   seen = error;
   return true;
+}
+
+bool BoundRow::hold(double error, double bound) {
+  ++compared;
+  if (!(std::fabs(error) > bound)) return false;
+  return ++exceeded == 1 && seen <= proved;
 }
 
 bool BoundRow::count(std::uint64_t values, std::uint64_t differ) {
@@ -29,85 +33,20 @@ bool BoundRow::count(std::uint64_t values, std::uint64_t differ) {
   return differ != 0 && where.number == 0;
 }
 
+const char* plane_name(PlaneKind kind) {
+  constexpr const char* kNames[] = {"depth", "colour", "normal", "coordinate", "difference"};
+  return kNames[kind];
+}
+Quantity plane_row(PlaneKind kind) {
+  constexpr Quantity kRows[] = {kDepthPlane, kColourPlane, kNormalPlane, kCoordinatePlane, kDifferencePlane};
+  return kRows[kind];
+}
+
 bool BoundsReport::holds() const {
   for (const BoundRow& row : rows) {
     if (row.present() && (row.compared == 0 || row.exceeded != 0)) return false;
   }
   return true;
-}
-
-BoundsReport proved_bounds(const Config& config) {
-  BoundsReport report;
-  report.rows.resize(kQuantities);
-  auto exact = [&](Quantity q, const char* kernel, const char* quantity) {
-    report.rows[q] = {kernel, quantity, "", "", 0};
-  };
-  auto bound = [&](Quantity q, const char* kernel, const char* quantity, const std::string& unit, const char* proof,
-                   double proved) {
-    report.rows[q] = {kernel, quantity, unit, proof, proved};
-  };
-  auto place = [](int fraction) { return fmt::format("2^-{}", fraction); };
-  auto reached = [&](const PlaneNumbers& n, Vertices v) { return plane_bound(n, largest_reach(config, v)); };
-
-  bound(kSnap, "snap", "position", place(config.subpixel_bits) + " px", "snap", 0.5);
-  exact(kEdges, "triangle_setup", "edge functions");
-  if (has_planes(config)) {
-    bound(kReciprocal, "triangle_setup", "reciprocal, relative", place(config.reciprocal_bits),
-          "triangle_setup_reciprocal", 1);
-  }
-  exact(kCoverage, "raster_pineda", "coverage");
-  exact(kZtest, tests_planes(config) ? "ztest_plane" : "ztest_index",
-        has_depth(config) ? "index and depth kept" : "index kept");
-  exact(kScan, "scan_index", "index");
-  if (!is_phong(config))
-    exact(kColourSteps, "shade_gouraud", is_gouraud(config) ? "colour, from its plane" : "colour, from the triangle");
-  if (has_depth(config)) {
-    const PlaneNumbers depth = depth_numbers(config);
-    const PlaneBound far = reached(depth, Vertices::kGuardBand), near = reached(depth, Vertices::kFrame);
-    bound(kDepthGradient, "triangle_setup", "gradient of depth", place(depth.fraction), "triangle_setup_product", 0.5);
-    bound(kDepthPlane, "triangle_setup", "depth plane", "LSB", "raster_pineda_depth", value(far.in_register));
-    bound(kDepthPlaneInFrame, "triangle_setup", "… in the frame", "LSB", "raster_pineda_depth_frame",
-          value(near.in_register));
-    exact(kDepthSteps, "raster_pineda", "depth, from its plane");
-    bound(kDepthRounded, "raster_pineda", "depth, rounded", "LSB", "raster_pineda_rounded", value(far.rounded));
-  }
-  if (is_gouraud(config)) {
-    const PlaneNumbers colour = colour_numbers(config);
-    const PlaneBound far = reached(colour, Vertices::kGuardBand), near = reached(colour, Vertices::kFrame);
-    bound(kColourGradient, "shade_setup", "gradient of colour", place(colour.fraction), "shade_setup_product", 0.5);
-    bound(kColourPlane, "shade_setup", "colour plane", "LSB", "shade_gouraud_colour", value(far.in_register));
-    bound(kColourPlaneInFrame, "shade_setup", "… in the frame", "LSB", "shade_gouraud_colour_frame",
-          value(near.in_register));
-    bound(kColourRounded, "shade_gouraud", "colour, rounded", "LSB", "shade_gouraud_rounded", value(far.rounded));
-  }
-  if (is_phong(config)) {
-    const PlaneNumbers normal = normal_numbers(config);
-    const PlaneBound far = reached(normal, Vertices::kGuardBand), near = reached(normal, Vertices::kFrame);
-    const std::string unit = place(config.normal_bits);
-    bound(kNormalGradient, "phong_setup", "gradient of a normal", place(config.normal_bits + normal.fraction),
-          "phong_setup_product", 0.5);
-    bound(kNormalPlane, "phong_setup", "plane of a normal", unit, "shade_phong_normal", value(far.in_register));
-    bound(kNormalPlaneInFrame, "phong_setup", "… in the frame", unit, "shade_phong_normal_frame",
-          value(near.in_register));
-    exact(kNormalSteps, "shade_phong", "normal, from its plane");
-    bound(kNormalRounded, "shade_phong", "normal, rounded", unit, "shade_phong_rounded", value(far.rounded));
-  }
-  if (has_lighting(config)) {
-    const char* const lighting = is_phong(config) ? "shade_phong" : "light_vertex";
-    const int u = cosine_fraction(config), squarings = exact_log2(config.gloss);
-    bound(kLightCosine, lighting, "cosine", place(u), "light_cosine", std::ldexp(value(cosine_bound(config)), u));
-    if (squarings > 0) {
-      bound(kLightPower, lighting, "largest power of a cosine", place(u), "light_power",
-            std::ldexp(value(power_bound(config, squarings)), u));
-    }
-    bound(kLightSum, lighting, "colour of a white light", "LSB", "light_sum", value(light_bound(config)));
-  }
-  if (has_objects(config)) {
-    exact(kEntry, "scan_object", "depth and object");
-    exact(kMerge, "ztest_merge", "nearer entry");
-    exact(kMergeFound, "ztest_merge", "pixels of an object");
-  }
-  return report;
 }
 
 namespace {
@@ -139,10 +78,16 @@ BoundsReport measured_bounds(const Configuration& configuration, const MeasureOp
   if (has_objects(config)) measure_merges(configuration, options.seed, report);
   if (has_lighting(config)) measure_lighting(config, options.seed, 1 + options.triangles / 10, report);
 
-  TriangleMeter meter(config, report);
+  if (has_motion(config)) measure_compensation(configuration, options.seed, report);
+  const auto probe = make_kernel_probe(config);
+  if (has_coordinates(config) && has_perspective(config)) measure_inverse(config, *probe, report.rows[kInverse]);
+  if (has_texture(config)) measure_texels(config, *probe, options.seed, report);
+
+  TriangleMeter meter(configuration, report);
   TriangleSource source(config, options.seed);
   // A search counts as one class; it tries many triangles and measures few.
-  const std::size_t searches = has_depth(config) + is_gouraud(config);
+  const std::vector<PlaneChannel> channels = plane_channels(config);
+  const std::size_t searches = channels.size();
   const std::size_t total = (std::size(kTriangleClasses) + 2 * searches) * options.triangles;
   std::size_t done = 0;
   auto tell = [&](std::size_t triangles) {
@@ -158,13 +103,13 @@ BoundsReport measured_bounds(const Configuration& configuration, const MeasureOp
   for (const Vertices vertices : {Vertices::kFrame, Vertices::kGuardBand}) {
     meter.begin(vertices == Vertices::kFrame ? "searched, in the frame" : "searched, in the guard band", config.width,
                 config.height);
-    for (const bool depth : {true, false}) {
-      if (depth ? !has_depth(config) : !is_gouraud(config)) continue;
-      meter.search(source, vertices, depth, kTriedForOne * options.triangles);
+    for (const PlaneChannel& channel : channels) {
+      meter.search(source, vertices, channel.kind, kTriedForOne * options.triangles);
       tell(options.triangles);
     }
     if (searches == 0) meter.measure(source.farthest(vertices));
   }
+  meter.finish();
   return report;
 }
 

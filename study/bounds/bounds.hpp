@@ -3,6 +3,7 @@
 #ifndef HALFSPACE_STUDY_BOUNDS_BOUNDS_HPP_
 #define HALFSPACE_STUDY_BOUNDS_BOUNDS_HPP_
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -22,10 +23,13 @@ struct Witness {
   int x = -1, y = -1;  // pixel; −1 for what belongs to the triangle as a whole
 };
 
+// In the place of a script: of a table, of which every field is tried.
+constexpr const char* kEveryField = "every field";
+
 struct BoundRow {
   std::string kernel;  // empty: the configuration has no such quantity
   std::string quantity, unit;
-  std::string proof;  // the script that proves it; empty: exact, and `seen` counts what differs
+  std::string proof;  // the script that proves it, or kEveryField; empty: exact, and `seen` counts what differs
   double proved = 0;  // largest |error|
   std::uint64_t compared = 0;
   double seen = 0;             // largest |error|
@@ -36,10 +40,12 @@ struct BoundRow {
   bool exact() const { return proof.empty(); }
   // Another value. True when it is the worst so far, or the first that differs: `where` is then to be set.
   bool see(double error, double bound);
+  // One that lies outside the premises of `proved`, and has a bound of its own: the first that exceeds it is a place.
+  bool hold(double error, double bound);
   bool count(std::uint64_t values, std::uint64_t differ);
 };
 
-// The rows of a report.
+// The rows of a report, in flow order.
 enum Quantity {
   kSnap,
   kEdges,
@@ -65,18 +71,49 @@ enum Quantity {
   kLightCosine,
   kLightPower,
   kLightSum,
+  kLightColour,
+  kPhongColour,
+  kCoordinateGradient,
+  kCoordinatePlane,
+  kCoordinatePlaneInFrame,
+  kCoordinateSteps,
+  kCoordinateRounded,
+  kDifferenceGradient,
+  kDifferencePlane,
+  kDifferencePlaneInFrame,
+  kDifferenceSteps,
+  kDifferenceRounded,
+  kInverse,
+  kTexelPlace,
+  kTexelFiltered,
+  kTexelColour,
+  kVector,
+  kVectorFits,
+  kKeyWeight,
+  kKeysShown,
+  kKeyColour,
+  kCompensated,
   kEntry,
   kMerge,
   kMergeFound,
+  kShown,
   kQuantities
 };
+
+// What there are planes of.
+enum PlaneKind { kDepths, kColours, kNormals, kCoordinates, kDifferences, kPlaneKinds };
+const char* plane_name(PlaneKind kind);
+Quantity plane_row(PlaneKind kind);  // of the plane before rounding
 
 // Planes before rounding by class of triangles: the largest errors in LSB, and in shares of the bound of the same
 // pixel.
 struct ClassRow {
   std::string name;
   std::uint64_t triangles = 0, pixels = 0;
-  double depth = 0, depth_share = 0, colour = 0, colour_share = 0;
+  struct Largest {
+    double error = 0, share = 0;
+  };
+  std::array<Largest, kPlaneKinds> planes{};
 };
 
 struct BoundsReport {

@@ -15,7 +15,8 @@ Wide floor_divide(Wide a, Wide b) {
 
 ExactTriangle::ExactTriangle(const ref::SnappedTriangle& t, int subpixel_bits)
     : one_(std::int64_t(1) << subpixel_bits) {
-  std::array<int, 3> order = {0, 1, 2};
+  std::array<int, 3>& order = order_;
+  order = {0, 1, 2};
   auto before = [&](int a, int b) { return t.y[a] != t.y[b] ? t.y[a] < t.y[b] : t.x[a] < t.x[b]; };
   std::rotate(order.begin(), std::min_element(order.begin(), order.end(), before), order.end());
   auto cross = [&] {

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 
 #include "ref/geometry/snap.hpp"
 
@@ -38,6 +39,10 @@ class ExactTriangle {
   std::int64_t y(int v) const { return y_[v]; }
   const Values& depth() const { return depth_; }
   const Values& colour(int channel) const { return colour_[channel]; }
+  // What was given for the vertices in their own order, in this one.
+  Values in_order(const std::array<int, 3>& given) const {
+    return {given[std::size_t(order_[0])], given[std::size_t(order_[1])], given[std::size_t(order_[2])]};
+  }
 
   // From vertex 0 to the centre of a pixel, in units.
   std::int64_t dx(int px) const { return centre(px) - x_[0]; }
@@ -54,6 +59,11 @@ class ExactTriangle {
   Numerators numerators(const Values& v) const;
   // The value of a channel at a pixel centre, times D.
   Wide value(const Values& v, int px, int py) const;
+  long double quotient(const Values& v, int px, int py) const {
+    return (long double)value(v, px, py) / (long double)area_;
+  }
+  // |dx| + |dy| of a pixel centre from vertex 0, in pixels.
+  double distance(int px, int py) const { return double(std::llabs(dx(px)) + std::llabs(dy(py))) / double(one_); }
 
  private:
   std::int64_t centre(int pixel) const { return pixel * one_ + one_ / 2; }
@@ -63,6 +73,7 @@ class ExactTriangle {
   bool inclusive(int i) const { return edge_dy(i) < 0 || (edge_dy(i) == 0 && edge_dx(i) > 0); }
 
   std::int64_t one_;
+  std::array<int, 3> order_;  // which of the vertices as given each is
   std::array<std::int64_t, 3> x_, y_;
   Values depth_;
   std::array<Values, 3> colour_;

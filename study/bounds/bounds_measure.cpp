@@ -27,15 +27,83 @@ double plane_error(const PlaneNumbers& n, const ExactTriangle& exact, const Valu
   return register_error(bits, n.value_bits, n.fraction, exact.value(values, x, y), exact.area());
 }
 
-TriangleMeter::TriangleMeter(const Config& config, BoundsReport& report)
-    : config_(config),
+std::uint64_t seed_of(const ref::SnappedTriangle& triangle) {
+  std::uint64_t seed = 0;
+  for (int v = 0; v < 3; ++v) {
+    for (const std::uint64_t number : {std::uint64_t(std::uint32_t(triangle.x[v])),
+                                       std::uint64_t(std::uint32_t(triangle.y[v])), std::uint64_t(triangle.depth[v])}) {
+      seed = (seed ^ number) * 0x9e3779b97f4a7c15u;
+      seed ^= seed >> 29;
+    }
+  }
+  return seed;
+}
+
+std::vector<PlaneChannel> plane_channels(const Config& config) {
+  std::vector<PlaneChannel> channels;
+  if (has_depth(config)) {
+    channels.push_back(
+        {kDepths, depth_numbers(config), kDepthGradient, kDepthPlane, kDepthPlaneInFrame, kDepthSteps, kDepthRounded});
+  }
+  if (is_gouraud(config)) {
+    channels.push_back({kColours, colour_numbers(config), kColourGradient, kColourPlane, kColourPlaneInFrame,
+                        kColourSteps, kColourRounded});
+  }
+  if (is_phong(config)) {
+    channels.push_back({kNormals, normal_numbers(config), kNormalGradient, kNormalPlane, kNormalPlaneInFrame,
+                        kNormalSteps, kNormalRounded});
+  }
+  if (has_coordinates(config)) {
+    channels.push_back({kCoordinates, coordinate_numbers(config), kCoordinateGradient, kCoordinatePlane,
+                        kCoordinatePlaneInFrame, kCoordinateSteps, kCoordinateRounded});
+  }
+  if (relights(config)) {
+    channels.push_back({kDifferences, difference_numbers(config), kDifferenceGradient, kDifferencePlane,
+                        kDifferencePlaneInFrame, kDifferenceSteps, kDifferenceRounded});
+  }
+  return channels;
+}
+
+TriangleMeter::TriangleMeter(const Configuration& configuration, BoundsReport& report)
+    : config_(configuration.config()),
       report_(report),
-      probe_(make_kernel_probe(config)),
-      depth_{depth_numbers(config), kDepthGradient, kDepthPlane, kDepthPlaneInFrame, kDepthSteps, kDepthRounded},
-      colour_(is_phong(config) ? Channel{normal_numbers(config), kNormalGradient, kNormalPlane, kNormalPlaneInFrame,
-                                         kNormalSteps, kNormalRounded}
-                               : Channel{colour_numbers(config), kColourGradient, kColourPlane, kColourPlaneInFrame,
-                                         kColourSteps, kColourRounded}) {}
+      probe_(make_kernel_probe(config_)),
+      channels_(plane_channels(config_)) {
+  if (has_motion(config_)) features_.push_back(make_motion_meter(configuration, *probe_, report));
+  else features_.push_back(make_surface_meter(config_, *probe_, report));
+  if (has_texture(config_)) features_.push_back(make_texture_meter(config_, *probe_, report));
+}
+
+void TriangleMeter::finish() {
+  for (auto& feature : features_) feature->finish();
+}
+
+int TriangleMeter::components(PlaneKind kind) const {
+  return kind == kDepths ? 1 : kind == kCoordinates && !has_perspective(config_) ? 2 : 3;
+}
+
+Values TriangleMeter::values_of(const ExactTriangle& exact, const PlaneChannel& channel, int c) const {
+  if (channel.kind == kDepths) return exact.depth();
+  Values values = exact.colour(c);
+  for (auto& v : values) v = stretched_colour(config_, int(v), channel.numbers.value_bits);
+  return values;
+}
+
+const ProbedPlane& TriangleMeter::plane_of(const ProbedSetup& setup, PlaneKind kind, int c) {
+  const auto at = std::size_t(c);
+  return kind == kDepths        ? setup.depth
+         : kind == kCoordinates ? setup.coordinate[at]
+         : kind == kDifferences ? setup.difference[at]
+                                : setup.colour[at];
+}
+
+std::uint32_t TriangleMeter::sent_of(const ProbedPixel& pixel, PlaneKind kind, int c) {
+  const auto at = std::size_t(c);
+  return kind == kDepths        ? pixel.depth
+         : kind == kCoordinates ? pixel.coordinate[at]
+         : kind == kDifferences ? pixel.difference[at]
+                                : pixel.colour[at];
+}
 
 void TriangleMeter::begin(const std::string& class_name, int width, int height) {
   report_.classes.push_back({class_name});
@@ -64,25 +132,20 @@ void TriangleMeter::measure(const ref::SnappedTriangle& triangle) {
   measure_coverage(exact, pixels);
   if (setup.empty) return;
   measure_setup(exact, setup);
-  if (has_depth(config_)) {
-    const Attribute depth = {depth_, exact, exact.depth(), setup.depth};
-    measure_gradients(depth, setup);
-    for (const ProbedPixel& p : pixels) measure_pixel(depth, p.depth, p.x, p.y);
-  }
-  for (int c = 0; c < 3 && shades_planes(config_); ++c) {
-    Values values = exact.colour(c);
-    if (is_phong(config_)) {
-      for (auto& v : values) v = normal_of_colour(config_, int(v));
+  for (const PlaneChannel& channel : channels_) {
+    for (int c = 0; c < components(channel.kind); ++c) {
+      const Values values = values_of(exact, channel, c);
+      const Attribute attribute = {channel, exact, values, plane_of(setup, channel.kind, c)};
+      measure_gradients(attribute, setup);
+      for (const ProbedPixel& p : pixels) measure_pixel(attribute, sent_of(p, channel.kind, c), p.x, p.y);
     }
-    const Attribute colour = {colour_, exact, values, setup.colour[c]};
-    measure_gradients(colour, setup);
-    for (const ProbedPixel& p : pixels) measure_pixel(colour, p.colour[c], p.x, p.y);
   }
   for (const ProbedPixel& p : pixels) {
-    if (shades_planes(config_)) break;
+    if (shades_planes(config_) || has_motion(config_)) break;
     if (report_.rows[kColourSteps].count(1, !std::equal(p.colour.begin(), p.colour.end(), triangle.rgb[0].begin())))
       report_.rows[kColourSteps].where = place(p.x, p.y);
   }
+  for (auto& feature : features_) feature->measure({triangle_, exact, pixels, place()});
   report_.classes.back().pixels += pixels.size();
 }
 
@@ -136,10 +199,9 @@ void TriangleMeter::measure_pixel(const Attribute& attribute, std::uint32_t sent
   see(channel.rounded, double(off) / double(exact.area()), value(bound.rounded));
 
   ClassRow& row = report_.classes.back();
-  const bool depth = channel.plane == kDepthPlane;
-  (depth ? row.depth : row.colour) = std::max(depth ? row.depth : row.colour, std::fabs(error));
-  double& share = depth ? row.depth_share : row.colour_share;
-  share = std::max(share, std::fabs(error) / limit);
+  ClassRow::Largest& largest = row.planes[channel.kind];
+  largest.error = std::max(largest.error, std::fabs(error));
+  largest.share = std::max(largest.share, std::fabs(error) / limit);
 }
 
 // Row by row of the bounding box; pixels beyond it, or sent twice, differ as well.

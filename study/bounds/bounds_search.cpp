@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 
 #include "study/bounds/bounds_measure.hpp"
 
 namespace halfspace::model {
 
-void TriangleMeter::search(TriangleSource& source, Vertices vertices, bool depth, int steps) {
+void TriangleMeter::search(TriangleSource& source, Vertices vertices, PlaneKind kind, int steps) {
   const int x = width_ - 1, y = height_ - 1;
+  const auto channel = std::find_if(channels_.begin(), channels_.end(), [&](const auto& c) { return c.kind == kind; });
   auto badness = [&](const ref::SnappedTriangle& t) {
     const ExactTriangle exact(t, config_.subpixel_bits);
     const ProbedSetup setup = probe_->setup(t);
     const PixelSpan span = exact.span(y, width_);
     if (setup.empty || span.first > x || span.last < x) return 0.0;
     double worst = 0;
-    for (int c = 0; c < (depth ? 1 : 3); ++c) {
-      const double error = depth ? plane_error(depth_.numbers, exact, exact.depth(), setup.depth, x, y)
-                                 : plane_error(colour_.numbers, exact, exact.colour(c), setup.colour[c], x, y);
-      worst = std::max(worst, std::fabs(error));
+    for (int c = 0; c < components(kind); ++c) {
+      worst = std::max(worst, std::fabs(plane_error(channel->numbers, exact, values_of(exact, *channel, c),
+                                                    plane_of(setup, kind, c), x, y)));
     }
     return worst;
   };

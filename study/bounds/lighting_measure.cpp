@@ -35,8 +35,10 @@ class LightSearch {
     for (int round = 0; round < 60; ++round) {
       propose(round, best);
       const auto sums = engine_->sums(frame_);
+      const auto colours = engine_->colours(frame_);
       for (std::size_t t = 0; t < sums.size(); ++t) {
         const Triple& normal = frame_.triangles[t].normals[0];
+        measure_colour(normal, colours[t][0], report.rows[kLightColour]);
         const double error = measure(normal, sums[t][0], channel, report);
         if (std::fabs(error) > largest) largest = std::fabs(error), best = normal;
       }
@@ -76,14 +78,25 @@ class LightSearch {
       BoundRow& row = report.rows[kRows[c]];
       if (!row.present()) continue;
       const long double got = std::ldexp((long double)sum[c], table_.light_sum.integer - table_.light_sum.width);
-      const long double error = got - exact_light(frame_, 0, normal, c, config_).value;
+      const long double error = got - exact_light(frame_, 0, real(normal), c, config_).value;
       const double in_unit = std::ldexp(double(error), c == 2 ? 0 : cosine_fraction(config_));
-      if (row.see(in_unit, row.proved)) {
-        row.where = {fmt::format("normal ({}, {}, {})", normal[0], normal[1], normal[2]), row.compared};
-      }
+      if (row.see(in_unit, row.proved)) row.where = place(normal, row);
       if (c == channel) chosen = in_unit;
     }
     return chosen;
+  }
+
+  // As it leaves the unit.
+  void measure_colour(const Triple& normal, const Triple& colour, BoundRow& row) const {
+    const long double full = (1 << config_.colour_bits) - 1;
+    for (int c = 0; c < 3; ++c) {
+      const long double exact = std::clamp(exact_light(frame_, 0, real(normal), c, config_).value, 0.0L, full);
+      if (row.see(double(colour[std::size_t(c)] - exact), row.proved)) row.where = place(normal, row);
+    }
+  }
+  static RealNormal real(const Triple& n) { return {(long double)n[0], (long double)n[1], (long double)n[2]}; }
+  static Witness place(const Triple& n, const BoundRow& row) {
+    return {fmt::format("normal ({}, {}, {})", n[0], n[1], n[2]), row.compared};
   }
 
   Config config_;

@@ -13,6 +13,14 @@ Dyadic operator+(const Dyadic& a, const Dyadic& b) {
   return {(a.mantissa << (a.exponent - exponent)) + (b.mantissa << (b.exponent - exponent)), exponent};
 }
 
+Dyadic operator*(std::int64_t factor, const Dyadic& number) { return {factor * number.mantissa, number.exponent}; }
+
+Dyadic dyadic_above(double number) {
+  int exponent;
+  const double mantissa = std::frexp(number, &exponent);
+  return {std::int64_t(std::ceil(std::ldexp(mantissa, 24))), exponent - 24};
+}
+
 PlaneNumbers depth_numbers(const Config& config) {
   return {config.depth_bits, config.reciprocal_bits, config.depth_fraction};
 }
@@ -23,6 +31,14 @@ PlaneNumbers colour_numbers(const Config& config) {
 
 PlaneNumbers normal_numbers(const Config& config) {
   return {normal_plane_bits(config), config.reciprocal_bits, config.normal_fraction};
+}
+
+PlaneNumbers coordinate_numbers(const Config& config) {
+  return {config.coordinate_bits, config.reciprocal_bits, config.coordinate_fraction};
+}
+
+PlaneNumbers difference_numbers(const Config& config) {
+  return {difference_bits(config), config.reciprocal_bits, config.colour_fraction};
 }
 
 // A vertex at −2^(range−1) and the last centre, ½ before the far side of the frame, on both axes.

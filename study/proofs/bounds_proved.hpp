@@ -17,6 +17,9 @@ struct Dyadic {
 };
 double value(const Dyadic& number);
 Dyadic operator+(const Dyadic& a, const Dyadic& b);
+Dyadic operator*(std::int64_t factor, const Dyadic& number);
+// The next that is not less, of 24 bits.
+Dyadic dyadic_above(double number);
 
 // What the plane of a channel is made with.
 struct PlaneNumbers {
@@ -28,6 +31,10 @@ PlaneNumbers depth_numbers(const Config& config);
 PlaneNumbers colour_numbers(const Config& config);
 // Of a component of a normal, in units of 2^−p.
 PlaneNumbers normal_numbers(const Config& config);
+// Of s, t and q: of a texture, or of a place in a key frame.
+PlaneNumbers coordinate_numbers(const Config& config);
+// Of a colour difference, in units of 2^−kDifferenceFraction LSB.
+PlaneNumbers difference_numbers(const Config& config);
 
 // Where the vertices of a triangle may lie.
 enum class Vertices { kGuardBand, kFrame };

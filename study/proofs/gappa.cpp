@@ -6,13 +6,29 @@
 #include <algorithm>
 
 #include "study/proofs/bounds_proved.hpp"
-#include "study/proofs/lighting_bounds.hpp"
+#include "study/proofs/gappa_text.hpp"
 
 namespace halfspace::model {
-namespace {
-
 std::string number(const Dyadic& n) { return fmt::format("{}b{}", n.mantissa, n.exponent); }
 std::string symmetric(const Dyadic& n) { return fmt::format("in [-{0}, {0}]", number(n)); }
+
+std::string header(const Config& config, const std::string& what) {
+  return fmt::format("# {}\n# Printed by `halfspace bounds` from the numbers of configuration `{}`.\n\n", what,
+                     config.name);
+}
+
+std::string script(const Config& config, const ScriptParts& parts) {
+  std::string text = header(config, parts.what);
+  for (const std::string& line : parts.definitions) text += line + ";\n";
+  text += "\n{ ";
+  for (std::size_t n = 0; n < parts.premises.size(); ++n) text += (n ? "\n  /\\ " : "") + parts.premises[n];
+  for (std::size_t n = 0; n < parts.goals.size(); ++n) text += (n ? "\n  /\\ " : "\n  -> ") + parts.goals[n];
+  text += " }\n";
+  for (const std::string& line : parts.hints) text += "\n" + line + ";";
+  return parts.hints.empty() ? text : text + "\n";
+}
+
+namespace {
 
 // What a product of 64 bits may be; not a bound of it.
 constexpr const char* kWord = "9223372036854775807";
@@ -99,53 +115,6 @@ std::string rounded(const Config& config, const char* kind, const PlaneNumbers& 
                      symmetric(bound.sum), full, symmetric(bound.rounded), full);
 }
 
-// h: 1/|n| of the normal scaled to 1 <= |n| < 2; y: what reciprocal_sqrt gives for it; d: n·L, so that the cosine is
-// d·h.
-std::string light_cosine(const Config& config) {
-  const int u = cosine_fraction(config);
-  return header(config, "A cosine: a dot product is rounded, scaled by the reciprocal of the length, and rounded.") +
-         fmt::format(
-             "P = fixed<-{u},nu>(d);\nC = fixed<-{u},nu>(P*y);\nrho = (y - h) / h;\n\n"
-             "{{ h in [1b-1, 1] /\\ y in [0, 1] /\\ d*h in [0, 1] /\\ rho {root}\n  -> C - d*h {bound} }}\n\n"
-             "C - d*h -> (C - P*y) + y*(P - d) + d*h*rho {{h <> 0}};\n",
-             fmt::arg("u", u), fmt::arg("root", symmetric(kRootBound)),
-             fmt::arg("bound", symmetric(cosine_bound(config))));
-}
-
-// Xj: an exact cosine squared j times; Cj: the one at hand. What is proved of a step is the premise of the next.
-std::string light_power(const Config& config) {
-  std::string steps, premises, goals, hints;
-  for (int j = 0; j < exact_log2(config.gloss); ++j) {
-    const char* const next = j == 0 ? "" : "\n  /\\ ";
-    steps += fmt::format("S{0} = fixed<-{1},nu>(C{0}*C{0});\n", j, cosine_fraction(config));
-    premises += fmt::format("{0}X{1} in [0, 1] /\\ C{1} in [0, 1] /\\ C{1} - X{1} {2}", next, j,
-                            symmetric(power_bound(config, j)));
-    goals += fmt::format("{0}S{1} in [0, 1] /\\ S{1} - X{1}*X{1} {2}", next, j, symmetric(power_bound(config, j + 1)));
-    hints += fmt::format("S{0} - X{0}*X{0} -> (S{0} - C{0}*C{0}) + (C{0} - X{0})*(C{0} + X{0});\n", j);
-  }
-  return header(config, "Powers of a cosine, by squaring, each rounded.") +
-         fmt::format("{}\n{{ {}\n  -> {} }}\n\n{}", steps, premises, goals, hints);
-}
-
-// kd, ks: coefficients of a light; X, Y: exact cosine and power; C, S: those at hand. The base is in both sums alike.
-std::string light_sum(const Config& config) {
-  const int full = (1 << config.colour_bits) - 1;
-  const bool gloss = has_gloss(config);
-  const std::string power = gloss ? fmt::format(" /\\ ks in [0, {}] /\\ S - Y {}", full,
-                                                symmetric(power_bound(config, exact_log2(config.gloss))))
-                                  : "";
-  const char* const highlight = gloss ? " + ks*S" : "";
-  const char* const exact = gloss ? " + ks*Y" : "";
-  return header(config, "The sum of a light that is white at full scale: products and sum are exact.") +
-         fmt::format(
-             "got = base + kd*C{highlight};\nexact = base + kd*X{exact};\n\n"
-             "{{ base in [0, {full}] /\\ kd in [0, {full}] /\\ C - X {cosine}{power}\n  -> got - exact {bound} }}\n\n"
-             "got - exact -> kd*(C - X){last};\n",
-             fmt::arg("highlight", highlight), fmt::arg("exact", exact), fmt::arg("full", full),
-             fmt::arg("cosine", symmetric(cosine_bound(config))), fmt::arg("power", power),
-             fmt::arg("bound", symmetric(light_bound(config))), fmt::arg("last", gloss ? " + ks*(S - Y)" : ""));
-}
-
 }  // namespace
 
 std::vector<GappaScript> gappa_scripts(const Config& config) {
@@ -160,11 +129,20 @@ std::vector<GappaScript> gappa_scripts(const Config& config) {
   if (has_depth(config)) channel("depth", depth_numbers(config), "triangle_setup", "raster_pineda");
   if (is_gouraud(config)) channel("colour", colour_numbers(config), "shade_setup", "shade_gouraud");
   if (is_phong(config)) channel("normal", normal_numbers(config), "phong_setup", "shade_phong");
-  if (has_lighting(config)) {
-    scripts.push_back({"light_cosine", light_cosine(config)});
-    if (exact_log2(config.gloss) > 0) scripts.push_back({"light_power", light_power(config)});
-    scripts.push_back({"light_sum", light_sum(config)});
+  const char* const setup = has_motion(config) ? "motion_setup" : "texture_setup";
+  const char* const shader = has_motion(config) ? "motion_field" : "shade_texture";
+  if (has_coordinates(config)) channel("coordinate", coordinate_numbers(config), setup, shader);
+  if (relights(config)) {
+    const PlaneNumbers n = difference_numbers(config);
+    scripts.push_back({"motion_setup_difference_product", product(config, "difference", n.value_bits, n.fraction)});
+    scripts.push_back({"motion_field_difference", plane(config, "difference", n, Vertices::kGuardBand)});
+    scripts.push_back({"motion_field_difference_frame", plane(config, "difference", n, Vertices::kFrame)});
+    scripts.push_back({"motion_field_difference_rounded", rounded(config, "difference", n)});
   }
+  if (has_lighting(config)) add_lighting_scripts(config, scripts);
+  if (has_texture(config)) add_texture_scripts(config, scripts);
+  if (has_motion(config)) add_motion_scripts(config, scripts);
+  add_shown_script(config, scripts);
   return scripts;
 }
 

@@ -21,29 +21,27 @@ Dyadic light_bound(const Config& config) {
   return {((1 << config.colour_bits) - 1) * bound.mantissa, bound.exponent};
 }
 
-ExactLight exact_light(const LightingFrame& frame, int material, const std::array<int, 3>& normal, int channel,
+ExactLight exact_light(const LightingFrame& frame, int material, const RealNormal& normal, int channel,
                        const Config& config) {
   using Real = long double;
   const RawMaterial& surface = frame.materials[std::size_t(material)];
   const Real unit = std::ldexp(Real(1), cosine_fraction(config) + 1), lsb = std::ldexp(Real(1), -kCoefficientFraction);
   auto dot = [&](const std::array<int, 3>& way) {
-    std::int64_t sum = 0;
-    for (int c = 0; c < 3; ++c) sum += std::int64_t(normal[c]) * way[c];
-    return sum;
+    return normal[0] * Real(way[0]) + normal[1] * Real(way[1]) + normal[2] * Real(way[2]);
   };
-  const Real length = std::sqrt(Real(dot(normal)));
-  auto cosine = [&](std::int64_t along) { return std::clamp(Real(along) / (length * unit), Real(0), Real(1)); };
+  const Real length = std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+  auto cosine = [&](Real along) { return std::clamp(along / (length * unit), Real(0), Real(1)); };
   const int squarings = std::min(surface.gloss, exact_log2(config.gloss));
   ExactLight result{0, 0};
   for (std::size_t i = 0; i < frame.lights.size(); ++i) {
     const RawReflection& reflection = surface.reflections[i];
     result.value += lsb * reflection.base[channel];
-    const std::int64_t along = dot(frame.lights[i].to_light);
-    if (along <= 0) continue;
+    const Real along = dot(frame.lights[i].to_light);
+    if (!(along > 0)) continue;
     result.value += lsb * reflection.diffuse[channel] * cosine(along);
     result.bound += lsb * reflection.diffuse[channel] * Real(value(cosine_bound(config)));
-    const std::int64_t half = dot(frame.lights[i].half);
-    if (!has_gloss(config) || half <= 0) continue;
+    const Real half = dot(frame.lights[i].half);
+    if (!has_gloss(config) || !(half > 0)) continue;
     result.value += lsb * reflection.specular[channel] * std::pow(cosine(half), Real(1 << squarings));
     result.bound += lsb * reflection.specular[channel] * Real(value(power_bound(config, squarings)));
   }

@@ -19,11 +19,13 @@ Dyadic power_bound(const Config& config, int squarings);
 // Of the sum in LSB before rounding, one light that is white at full scale, with the largest exponent that is built.
 Dyadic light_bound(const Config& config);
 
-// A channel of a lit normal that is not 0, in LSB, and the bound of its sum.
+// A channel of a lit normal, in LSB, and the bound of its sum. A normal of length 0 shows its base. Its components are
+// in any unit.
 struct ExactLight {
   long double value, bound;
 };
-ExactLight exact_light(const LightingFrame& frame, int material, const std::array<int, 3>& normal, int channel,
+using RealNormal = std::array<long double, 3>;
+ExactLight exact_light(const LightingFrame& frame, int material, const RealNormal& normal, int channel,
                        const Config& config);
 
 }  // namespace halfspace::model

@@ -19,6 +19,19 @@ double motion_vertex_bound(const Config& config, int extent, double spread, doub
 // Of a plane of colour differences, rounded, in units of 2^−kDifferenceFraction LSB.
 double difference_bound(const Config& config, double distance);
 
+// The bound of a vector that a table prints is of places within 2^vector_range pixels, and of a q of the upper half of
+// its range.
+constexpr int vector_extent(const Config& config) {
+  return config.vector_range < config.range_bits ? config.vector_range : config.range_bits;
+}
+double vector_bound(const Config& config);
+
+// What weights are off: of a pixel along an axis, in units of 2^−weight_bits; of a key before rounding, in LSB. 0 where
+// the weights of the table are those of the formula.
+constexpr double kMostRowWeights = 1449.0 / 1024;  // above √2
+double tap_bound(const Config& config);
+double key_colour_bound(const Config& config);
+
 }  // namespace halfspace::model
 
 #endif  // HALFSPACE_STUDY_PROOFS_MOTION_BOUNDS_HPP_

@@ -28,4 +28,31 @@ double texture_vertex_bound(const Config& config, double span, double spread, do
 
 double texture_cut_bound(const Config& config) { return is_bilinear(config) ? std::ldexp(1.0, -kWeightBits - 1) : 0; }
 
+PlaceBounds place_bounds(const Config& config, int log2_span) {
+  const double distance = value(largest_reach(config, Vertices::kGuardBand));
+  PlaceBounds out{dyadic_above(0.5 + coordinate_plane_bound(config, distance)), {0, 0}, {0, 0}};
+  if (!has_perspective(config)) {
+    out.place = {out.rounded.mantissa, out.rounded.exponent + log2_span - config.coordinate_bits};
+    return out;
+  }
+  const double rounded = value(out.rounded);
+  out.quotient = dyadic_above(2 * rounded / (least_q(config) - rounded));
+  const double quotient = value(out.quotient);
+  out.place = dyadic_above(std::ldexp(quotient + (1 + quotient) * kInverseError, log2_span));
+  return out;
+}
+
+double square_place_bound(const Config& config) {
+  return value(place_bounds(config, square_side(config)).place) + texture_cut_bound(config);
+}
+
+double filtered_bound(const Config& config) {
+  return is_bilinear(config) ? std::ldexp(1.0, -kFilteredFraction - 1) : 0;
+}
+
+double product_bound(const Config& config) {
+  const int c = config.colour_bits;
+  return is_bilinear(config) ? std::ldexp(1.0, -c - 1) + std::ldexp(1.0, -c - 8) : 0;
+}
+
 }  // namespace halfspace::model

@@ -3,7 +3,10 @@
 #ifndef HALFSPACE_STUDY_PROOFS_TEXTURE_BOUNDS_HPP_
 #define HALFSPACE_STUDY_PROOFS_TEXTURE_BOUNDS_HPP_
 
+#include <cstdint>
+
 #include "hls/formats/formats.hpp"
+#include "study/proofs/bounds_proved.hpp"
 
 namespace halfspace::model {
 
@@ -23,6 +26,22 @@ double texture_vertex_bound(const Config& config, double span, double spread, do
 
 // What cutting to 8 bits adds, to either side: 2^−9 where there are weights, none for the nearest.
 double texture_cut_bound(const Config& config);
+
+// The bound that a table prints is of a square texture that fills the memory, once across the triangle, and of a q of
+// the upper half of its range: vertices of which none is more than twice as far as another.
+constexpr int square_side(const Config& config) { return (exact_log2(config.texels) + 1) / 2; }  // its longer side
+constexpr double least_q(const Config& config) { return double(std::int64_t(1) << (config.coordinate_bits - 1)); }
+// As dyadic numbers, for a script: of s and q as rounded, with the vertex as far away as can be; of s/q where it is 1
+// and q least, d of docs/numerics.md; and of the place, 2^log2_span times that. Affine there is no quotient.
+struct PlaceBounds {
+  Dyadic rounded, quotient, place;
+};
+PlaceBounds place_bounds(const Config& config, int log2_span);
+double square_place_bound(const Config& config);
+
+// Of a filtered texel, in LSB, and of its product with a colour before that is rounded.
+double filtered_bound(const Config& config);
+double product_bound(const Config& config);
 
 }  // namespace halfspace::model
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// motion_compensate against its definition (compensate_model.hpp): filters, matches, edges, caches, and the bounds of
-// its weights.
+// motion_compensate against its definition (study/bounds/compensation_exact.hpp): filters, matches, edges, caches, and
+// the bounds of its weights.
 #include <gtest/gtest.h>
 
 #include <cstdio>
 
 #include "ref/error.hpp"
+#include "study/bounds/compensation_exact.hpp"
 #include "tests/config_path.hpp"
-#include "tests/motion/compensate_model.hpp"
 #include "vectors/frames/compensation_frames.hpp"
 
 namespace halfspace::tests {
@@ -15,7 +15,9 @@ namespace {
 
 using model::CompensatedFrame;
 using model::CompensatedPixel;
+using model::CompensationModel;
 using model::Compensator;
+using model::exact_weights;
 using model::KeyFrame;
 using model::NamedCompensation;
 using model::RawMotion;

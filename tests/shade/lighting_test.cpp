@@ -80,14 +80,8 @@ void compare(model::LightingEngine& engine, const LightingFrame& frame, const Co
     for (int v = 0; v < (is_gouraud(config) ? 3 : 1); ++v) {
       const auto& normal = frame.triangles[t].normals[v];
       for (int c = 0; c < 3; ++c) {
-        model::ExactLight exact{};
-        if (normal == std::array<int, 3>{0, 0, 0}) {
-          for (const auto& reflection : frame.materials[frame.triangles[t].material].reflections) {
-            exact.value += std::ldexp((long double)reflection.base[c], -kCoefficientFraction);
-          }
-        } else {
-          exact = model::exact_light(frame, frame.triangles[t].material, normal, c, config);
-        }
+        const model::RealNormal real = {(long double)normal[0], (long double)normal[1], (long double)normal[2]};
+        const model::ExactLight exact = model::exact_light(frame, frame.triangles[t].material, real, c, config);
         const long double got = std::ldexp((long double)sums[t][v][c], format.integer - format.width);
         const double error = double(std::abs(got - exact.value));
         // 2^−40: what long double leaves of a power.

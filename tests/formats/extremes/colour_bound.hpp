@@ -74,11 +74,8 @@ class LightBound {
   }
   // The exact sum of a word, not clamped, and its bound.
   model::ExactLight sum(int material, const std::array<int, 3>& n, int channel) const {
-    if (n != std::array<int, 3>{0, 0, 0}) return model::exact_light(frame_, material, n, channel, c_);
-    model::ExactLight base{0, 0};
-    for (const auto& r : frame_.materials[std::size_t(material)].reflections)
-      base.value += std::ldexp((long double)r.base[std::size_t(channel)], -kCoefficientFraction);
-    return base;
+    const model::RealNormal real = {(long double)n[0], (long double)n[1], (long double)n[2]};
+    return model::exact_light(frame_, material, real, channel, c_);
   }
   // What a word is lit to.
   ColourBound colour(int material, const std::array<int, 3>& n) const {

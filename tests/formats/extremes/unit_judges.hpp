@@ -9,8 +9,8 @@
 #include <string>
 
 #include "ref/motion/compensate.hpp"
+#include "study/bounds/compensation_exact.hpp"
 #include "tests/formats/extremes/exact_pixel.hpp"
-#include "tests/motion/compensate_model.hpp"
 #include "tests/objects/merge_model.hpp"
 #include "vectors/frames/compensation_frames.hpp"
 #include "vectors/frames/merge_frames.hpp"
@@ -20,14 +20,14 @@ namespace halfspace::tests {
 // Empty if nothing is.
 inline std::string compensation_fault(const Config& config, const model::Compensator& kernels,
                                       const model::NamedCompensation& frame) {
-  const CompensationModel definition(config, false);
+  const model::CompensationModel definition(config, false);
   const model::CompensationInput input = frame.input();
   const model::CompensatedFrame got = kernels.run(input);
   std::vector<model::RawMotion> order = frame.motion;
   model::order_by_tiles(order, config);
   if (got.pixels.size() != std::max<std::size_t>(order.size(), 1)) return "words";
   for (std::size_t n = 0; n < order.size(); ++n) {
-    const CompensationModel::Pixel want = definition.pixel(input, order[n]);
+    const model::CompensationModel::Pixel want = definition.pixel(input, order[n]);
     const auto here = [&](const char* what) { return fmt::format("{} at ({}, {})", what, order[n].x, order[n].y); };
     if (got.pixels[n].x != order[n].x || got.pixels[n].y != order[n].y) return here("order");
     if (got.pixels[n].keys != want.keys) return here("keys");

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compensation from its definition, for the tests: taps by their distance from a place, no cache, numbers in double.
-// Weights are those of the tables, or exact ones.
-#ifndef HALFSPACE_TESTS_MOTION_COMPENSATE_MODEL_HPP_
-#define HALFSPACE_TESTS_MOTION_COMPENSATE_MODEL_HPP_
+// Compensation from its definition: taps by their distance from a place, no cache, numbers in double. Weights are those
+// of the tables, or exact ones.
+#ifndef HALFSPACE_STUDY_BOUNDS_COMPENSATION_EXACT_HPP_
+#define HALFSPACE_STUDY_BOUNDS_COMPENSATION_EXACT_HPP_
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@
 #include "hls/motion/key_filter.hpp"
 #include "model/motion/compensation.hpp"
 
-namespace halfspace::tests {
+namespace halfspace::model {
 
 // Weights of the pixels −1 … 2 around a place that lies t behind the centre of pixel 0.
 inline std::array<double, 4> exact_weights(KeyFilter filter, double t) {
@@ -37,8 +37,8 @@ class CompensationModel {
   using Colour = std::array<double, 3>;
 
   // Before it is blended; nothing where the key does not show the point.
-  std::optional<Colour> key(const model::CompensationInput& in, const model::RawMotion& m, int k) const {
-    const model::RawKeyVector& v = m.key[std::size_t(k)];
+  std::optional<Colour> key(const CompensationInput& in, const RawMotion& m, int k) const {
+    const RawKeyVector& v = m.key[std::size_t(k)];
     if (m.face == 0 || !v.there) return std::nullopt;
     const double x = place(m.x, v.x), y = place(m.y, v.y);
     Colour sum{};
@@ -71,7 +71,7 @@ class CompensationModel {
     Colour value{};  // before it is rounded and clamped
     int keys = 0;
   };
-  Pixel pixel(const model::CompensationInput& in, const model::RawMotion& m) const {
+  Pixel pixel(const CompensationInput& in, const RawMotion& m) const {
     const std::optional<Colour> a = key(in, m, 0), b = key(in, m, 1);
     Pixel out;
     out.keys = int(a.has_value()) | int(b.has_value()) << 1;
@@ -82,19 +82,50 @@ class CompensationModel {
     return out;
   }
 
+  // Of key k at `way` pixels from the centre of a pixel in between, without relighting; nothing where a place within
+  // `bound` of it takes a pixel that does not match or, of the nearest, another pixel.
+  std::optional<Colour> around(const CompensationInput& in, const RawMotion& m, int k, const std::array<double, 2>& way,
+                               const std::array<double, 2>& bound) const {
+    const bool nearest = c_.filter == KeyFilter::kNearest, bicubic = c_.filter == KeyFilter::kBicubic;
+    const double half = nearest ? 0 : 0.5;
+    double at[2];
+    int first[2], last[2];
+    for (int axis = 0; axis < 2; ++axis) {
+      const double centre = (axis ? m.y : m.x) + 0.5 + way[std::size_t(axis)], off = bound[std::size_t(axis)];
+      at[axis] = centre / c_.samples - half;
+      first[axis] = int(std::floor((centre - off) / c_.samples - half)) - int(bicubic);
+      last[axis] = int(std::floor((centre + off) / c_.samples - half)) + (nearest ? 0 : bicubic ? 2 : 1);
+    }
+    if (nearest && (first[0] != last[0] || first[1] != last[1])) return std::nullopt;
+    for (int y = first[1]; y <= last[1]; ++y) {
+      for (int x = first[0]; x <= last[0]; ++x) {
+        if (!tap_at(in, m, k, x, y).match) return std::nullopt;
+      }
+    }
+    Colour sum{};
+    const int left = int(std::floor(at[0])), top = int(std::floor(at[1]));
+    if (nearest) return tap_at(in, m, k, left, top).colour;
+    const std::array<double, 4> columns = exact_weights(c_.filter, at[0] - left),
+                                rows = exact_weights(c_.filter, at[1] - top);
+    for (int n = 0; n < 16; ++n) {
+      const double weight = columns[std::size_t(n % 4)] * rows[std::size_t(n / 4)];
+      if (weight != 0) add(sum, weight, tap_at(in, m, k, left - 1 + n % 4, top - 1 + n / 4).colour);
+    }
+    return sum;
+  }
+
   std::uint8_t displayed(double value) const {
     return std::uint8_t(std::clamp(std::floor(value + 0.5), 0.0, double((1 << c_.colour_bits) - 1)));
   }
 
   // Tiles that a cache of 2 × 2 of them has not, for words in this order.
-  std::size_t misses(const model::CompensationInput& in, const std::vector<model::CompensatedPixel>& order,
-                     int k) const {
-    std::map<std::pair<int, int>, const model::RawMotion*> at;
-    for (const model::RawMotion& m : in.motion) at[{m.x, m.y}] = &m;
+  std::size_t misses(const CompensationInput& in, const std::vector<CompensatedPixel>& order, int k) const {
+    std::map<std::pair<int, int>, const RawMotion*> at;
+    for (const RawMotion& m : in.motion) at[{m.x, m.y}] = &m;
     std::map<std::pair<int, int>, std::pair<int, int>> cache;
     std::size_t missed = 0;
-    for (const model::CompensatedPixel& p : order) {
-      const model::RawMotion& m = *at.at({p.x, p.y});
+    for (const CompensatedPixel& p : order) {
+      const RawMotion& m = *at.at({p.x, p.y});
       if (m.face == 0 || !m.key[std::size_t(k)].there) continue;
       for (const auto& [x, y] : tiles(in, m, k)) {
         auto [slot, is_new] = cache.emplace(std::make_pair(x % 2, y % 2), std::make_pair(x, y));
@@ -129,8 +160,8 @@ class CompensationModel {
     for (std::size_t c = 0; c < 3; ++c) sum[c] += weight * colour[c];
   }
 
-  Tap tap_at(const model::CompensationInput& in, const model::RawMotion& m, int k, int x, int y) const {
-    const model::KeyFrame& key = *in.key[std::size_t(k)];
+  Tap tap_at(const CompensationInput& in, const RawMotion& m, int k, int x, int y) const {
+    const KeyFrame& key = *in.key[std::size_t(k)];
     if (x < 0 || y < 0 || x >= key.width || y >= key.height) return {false, {}};
     const std::size_t at = std::size_t(y) * key.width + x;
     return {key.face[at] == m.face, {double(key.rgb[at][0]), double(key.rgb[at][1]), double(key.rgb[at][2])}};
@@ -138,8 +169,8 @@ class CompensationModel {
 
   // Whether one of them matches that has a weight. The weight of the others goes to the one with the largest exact
   // weight; of two alike, to the first in the order of standing_tap.
-  bool of_four(const model::CompensationInput& in, const model::RawMotion& m, int k, int left, int top, double t,
-               double u, Colour& sum) const {
+  bool of_four(const CompensationInput& in, const RawMotion& m, int k, int left, int top, double t, double u,
+               Colour& sum) const {
     const KeyFilter filter = c_.filter == KeyFilter::kBicubic ? KeyFilter::kBilinear : c_.filter;
     const std::array<double, 4> columns = weights(filter, t), rows = weights(filter, u);
     const int near_x = t >= 0.5, near_y = u >= 0.5;
@@ -160,9 +191,9 @@ class CompensationModel {
     return standing.match;
   }
 
-  std::set<std::pair<int, int>> tiles(const model::CompensationInput& in, const model::RawMotion& m, int k) const {
-    const model::RawKeyVector& v = m.key[std::size_t(k)];
-    const model::KeyFrame& key = *in.key[std::size_t(k)];
+  std::set<std::pair<int, int>> tiles(const CompensationInput& in, const RawMotion& m, int k) const {
+    const RawKeyVector& v = m.key[std::size_t(k)];
+    const KeyFrame& key = *in.key[std::size_t(k)];
     const double x = place(m.x, v.x), y = place(m.y, v.y);
     const bool nearest = c_.filter == KeyFilter::kNearest, bicubic = c_.filter == KeyFilter::kBicubic;
     const int before = bicubic ? 1 : 0, after = bicubic ? 2 : nearest ? 0 : 1;
@@ -180,6 +211,6 @@ class CompensationModel {
   const bool exact_;
 };
 
-}  // namespace halfspace::tests
+}  // namespace halfspace::model
 
-#endif  // HALFSPACE_TESTS_MOTION_COMPENSATE_MODEL_HPP_
+#endif  // HALFSPACE_STUDY_BOUNDS_COMPENSATION_EXACT_HPP_
