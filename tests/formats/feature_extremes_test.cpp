@@ -10,6 +10,7 @@
 #include "tests/config_path.hpp"
 #include "tests/formats/extremes/feature_configurations.hpp"
 #include "tests/formats/extremes/frame_judge.hpp"
+#include "tests/formats/extremes/random_configuration.hpp"
 #include "tests/formats/extremes/unit_judges.hpp"
 #include "vectors/frames/features/feature_extremes.hpp"
 
@@ -113,6 +114,30 @@ TEST_P(MergeExtremes, AreTheDefinition) {
     runs.push_back(model::largest_merge(config_));
     for (const model::NamedMerge& run : runs) EXPECT_EQ(merge_fault(config_, kernels, lanes, run), "") << run.note;
   }
+}
+
+TEST(FeatureExtremesOfAny, KernelsAreWithinTheBounds) {
+  RandomConfiguration random(11);
+  std::uint64_t judged = 0;
+  for (int n = 0; n < 40; ++n) {
+    const Configuration configuration = random.next();
+    const Config config = configuration.config();
+    SCOPED_TRACE(model::configuration_toml(configuration));
+    const auto engine = model::make_engine(configuration, config.lanes);
+    Measured measured;
+    for (const model::NamedFrame& frame : model::feature_extremes(model::raster_format(configuration), config)) {
+      EXPECT_EQ(FrameJudge(config, frame).fault(*engine, &measured), "") << frame.note;
+    }
+    judged += measured.judged;
+    if (has_motion(config)) {
+      for (const model::NamedCompensation& frame : model::compensation_extremes(config))
+        EXPECT_EQ(compensation_fault(config, model::Compensator(configuration), frame), "") << frame.note;
+    }
+    if (!has_objects(config)) continue;
+    for (const model::NamedMerge& run : model::merge_extremes(config))
+      EXPECT_EQ(merge_fault(config, model::Merger(configuration, config.lanes), config.lanes, run), "") << run.note;
+  }
+  EXPECT_GT(judged, 100000u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, FeatureExtremes, testing::ValuesIn(feature_configurations()));

@@ -142,13 +142,16 @@ class ShadeBound {
 
   // One of the words around the exact normal is lit.
   ColourBound phong(const model::RawNormals& given, const ExactPixel& pixel) const {
+    // Of one normal all over the triangle, that word: directions may be longer than the reference has them.
+    const auto& n = given.normals;
+    if (n[0] == n[1] && n[1] == n[2]) return light_.colour(given.material, n[0]);
     const double reach = 0.5 + model::normal_plane_bound(c_, pixel.distance()) + kTinyShare;
     std::array<std::vector<int>, 3> words;
     std::array<double, 3> exact;
     for (std::size_t c = 0; c < 3; ++c) {
-      const std::array<int, 3> n{given.normals[0][c], given.normals[1][c], given.normals[2][c]};
-      exact[c] = pixel.plane(n);
-      if (is_constant(n)) words[c] = {n[0]};
+      const std::array<int, 3> of_vertex{n[0][c], n[1][c], n[2][c]};
+      exact[c] = pixel.plane(of_vertex);
+      if (is_constant(of_vertex)) words[c] = {n[0][c]};
       else
         for (int w = int(std::ceil(exact[c] - reach)); w <= int(std::floor(exact[c] + reach)); ++w)
           words[c].push_back(w);

@@ -43,6 +43,12 @@ class Maker {
     for (RawKeyVector& v : out.key) v.there = true, v.x = vector_x, v.y = vector_y;
     return out;
   }
+  // Of a place so far from the centre of pixel (at, at), in units of a vector: of the pixel next to it, so that it
+  // fits.
+  RawMotion near_word(int at, int right, int down) const {
+    const int f = c_.vector_fraction, mask = (1 << f) - 1;
+    return word(at + (right >> f), at + (down >> f), right & mask, down & mask);
+  }
   void add(NamedCompensation& frame, const RawMotion& word) const {
     bool fits = word.x < frame.width && word.y < frame.height;
     for (const RawKeyVector& v : word.key)
@@ -97,7 +103,7 @@ NamedCompensation fractions(const Config& c, const Maker& make, int weight) {
   int n = 0;
   for (const int u : ways) {
     for (const int v : {0, one / 2, heaviest}) {
-      RawMotion word = make.word(at, at, to_centre + u, to_centre + v);
+      RawMotion word = make.near_word(at, to_centre + u, to_centre + v);
       for (std::size_t k = 0; k < word.key.size(); ++k) {
         for (std::size_t ch = 0; ch < 3; ++ch) word.key[k].difference[ch] = ((n + int(ch)) % 3 - 1) * (n % 2 ? d : -d);
       }
@@ -131,7 +137,7 @@ NamedCompensation overshoot(const Config& c, const Maker& make, bool above) {
   const int corner = -(1 << c.vector_fraction >> 1), eighth = (c.samples << c.vector_fraction) / 8;
   for (const int d : {0, make.difference_end(), -make.difference_end()}) {
     for (int n = 0; n < 16; ++n) {
-      RawMotion word = make.word(at, at, corner + (n % 4 - 1) * eighth, corner + (n / 4 - 1) * eighth);
+      RawMotion word = make.near_word(at, corner + (n % 4 - 1) * eighth, corner + (n / 4 - 1) * eighth);
       for (RawKeyVector& v : word.key) v.difference.fill(above ? d : -d);
       make.add(frame, word);
     }

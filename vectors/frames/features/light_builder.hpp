@@ -68,6 +68,17 @@ class LightBuilder {
     }
     return out;
   }
+  // Whose terms, all in white and at their largest, sum up to 2^(head − 1) exactly; where no terms do, they are full.
+  RawMaterial half_sum_material() const {
+    RawMaterial out = material(0, 0, 0, 0);
+    const std::int64_t sum = std::int64_t(half_sum()) << kCoefficientFraction;
+    for (int n = 0; n < terms(); ++n) {
+      const int value = int(std::min<std::int64_t>((sum + n) / terms(), full_coefficient()));
+      RawReflection& r = out.reflections[std::size_t(n % config_.lights)];
+      (n < config_.lights ? r.base : n < 2 * config_.lights ? r.diffuse : r.specular).fill(value);
+    }
+    return out;
+  }
   // As many as the table has rows.
   std::vector<RawMaterial> fitted(std::vector<RawMaterial> materials) const {
     materials.resize(std::min(materials.size(), std::size_t(config_.materials)));

@@ -17,8 +17,10 @@ std::vector<NamedFrame> normal_extremes(const RasterFormat& format, const Config
   NamedFrame with;
   with.lighting.lights = light.axes();
   const int materials = std::min(light.squarings() + 2, config.materials);
+  // The largest exponent first, and last one beyond what is built.
   for (int k = 0; k < materials; ++k)
-    with.lighting.materials.push_back(light.colourful(std::min(k, light.most_gloss())));
+    with.lighting.materials.push_back(
+        light.colourful(k <= light.squarings() ? light.squarings() - k : light.most_gloss()));
   const int ends[5] = {0, 1, -1, light.most(), light.least()};
   push_cells(frames, "extreme: normals of length 0, of a unit of 2^−p, and the longest, along axes and diagonals",
              format, 125, 3, with, [&](NamedFrame& frame, int k, Point) {
@@ -60,13 +62,13 @@ std::vector<NamedFrame> light_extremes(const RasterFormat& format, const Config&
     with.lighting.lights.assign(std::size_t(config.lights), {{far, far, far}, {far, far, far}});
     const double half = double(light.half_sum()) / light.terms();
     const double white = double(light.full_colour()) / light.terms();
-    with.lighting.materials =
-        light.fitted({light.material(0, half, half, half), light.material(0, 1e9, 1e9, 1e9),
-                      light.material(0, half + 1, half + 1, half + 1), light.material(0, white, white, white)});
+    with.lighting.materials = light.fitted(
+        {light.half_sum_material(), light.material(0, 1e9, 1e9, 1e9), light.material(0, half + 1, half + 1, half + 1),
+         light.material(0, white, white, white), light.material(0, white / 2, white / 2, white / 2)});
     push_cells(frames,
                "extreme: all lights at full scale: n·L of 3·2^(p+u+1), cosines of 1, sums of 2^(head−1) and at the end",
-               format, 16, 3, with, [&](NamedFrame& frame, int k, Point) {
-                 const Normal n = k % 8 < 4 ? Normal{most, most, most} : Normal{most, most, most - 1};
+               format, 20, 3, with, [&](NamedFrame& frame, int k, Point) {
+                 const Normal n = k < 10 ? Normal{most, most, most} : Normal{most, most, most - 1};
                  add_normals(frame.lighting, k % int(with.lighting.materials.size()), n, n, n);
                });
     push_cells(frames, "extreme: the same lights from behind: n·L of −3·2^(p+u+1)", format, 8, 3, with,
@@ -113,7 +115,7 @@ std::vector<NamedFrame> material_extremes(const RasterFormat& format, const Conf
              });
   // Four times full scale and half of that: clamped, and without its top bit not.
   with.lighting.materials.resize(std::min<std::size_t>(with.lighting.materials.size(), 2));
-  const int top = (light.full_coefficient() + 1) / 2 + light.coefficient(3);
+  const int top = (light.full_coefficient() + 1) / 2;
   for (RawMaterial& material : with.lighting.materials) {
     material = light.material(0, 0, 0, 0);
     const bool second = &material == &with.lighting.materials[1];
@@ -123,7 +125,7 @@ std::vector<NamedFrame> material_extremes(const RasterFormat& format, const Conf
   }
   const int far = light.far();
   with.lighting.lights.assign(std::size_t(config.lights), {{far, far, far}, {far, far, far}});
-  push_cells(frames, "extreme: coefficients of twice full scale and a little, and of four times", format, 4, 3, with,
+  push_cells(frames, "extreme: coefficients of twice full scale, and of four times", format, 4, 3, with,
              [&](NamedFrame& frame, int k, Point) {
                const int n = light.most();
                add_normals(frame.lighting, k % int(with.lighting.materials.size()), {n, n, n}, {n, n, n}, {n, n, n});

@@ -35,6 +35,8 @@ class TextureBuilder {
     frame_.texture.textures.push_back(texture);
     return int(frame_.texture.textures.size());
   }
+  // In the place of another.
+  void add_again(int number) { frame_.texture.textures.push_back(frame_.texture.textures[std::size_t(number) - 1]); }
   void move_to(int base) { next_ = base; }
   int next() const { return next_; }
   void texel(int number, int i, int j, const std::array<std::uint8_t, 3>& rgb) {
@@ -161,11 +163,13 @@ std::vector<NamedFrame> texture_size_extremes(const RasterFormat& format, const 
   {
     // Four texels each, the last ones at the end of the memory.
     TextureBuilder make(config);
-    const int textures = std::min(config.textures, config.texels / 4);
-    for (int n = 0; n < textures; ++n) {
-      if (n == textures / 2) make.move_to(config.texels - 4 * (textures - n));
+    // Where there are more textures than room, they lie on each other: but not those that the top bit tells apart.
+    const int textures = config.textures, slots = config.texels / 4, top = 1 << (bits_for(textures) - 1);
+    for (int n = 1; n <= std::min(textures, slots); ++n) {
+      if (textures <= slots && n == textures / 2 + 1) make.move_to(config.texels - 4 * (textures - n + 1));
       make.add_noise(1, 1);
     }
+    for (int n = slots + 1; n <= textures; ++n) make.add_again(1 + (n - 1 + (n >= top)) % slots);
     push_cells(
         frames, "extreme: all textures, the last number and the last address; and none", format,
         std::min(4 * textures, 128), 3, make.frame(), [&](NamedFrame& frame, int k, Point) {
@@ -186,9 +190,10 @@ std::vector<NamedFrame> texture_size_extremes(const RasterFormat& format, const 
         const int i = (length / kPlaces * n + length / (2 * kPlaces) + d) & (length - 1);
         if (there[std::size_t(i)]) continue;
         there[std::size_t(i)] = true;
+        const int of = i / std::max(length / kPlaces, 1);
         for (int j = 0; j < across; ++j) {
           make.texel(number, turned ? j : i, turned ? i : j,
-                     {std::uint8_t(n & 1 ? full : 0), std::uint8_t(n & 2 ? full : 0), std::uint8_t(full / (n + 1))});
+                     {std::uint8_t(of & 1 ? full : 0), std::uint8_t(of & 2 ? full : 0), std::uint8_t(full / (of + 1))});
         }
       }
     }
