@@ -98,20 +98,33 @@ class Pipeline {
   std::unique_ptr<model::Engine> engine_;
 };
 
-void run_static(const StaticOptions& options) {
-  const model::FitScene frames = load_frames(options.input);
-  const FrameSize size{frames.width, frames.height};
-  if (frames.scenes.size() < 3) {
+// The scene at the times of the frames.
+std::vector<ref::Scene> scenes_of(const FrameInput& input) {
+  if (ref::is_tri_file(input.scene))
+    throw ref::Error(fmt::format("{}: its triangles lie on the screen: name an animated scene", input.scene));
+  const SceneSource source(input.scene, input.choice, input.texture != "none");
+  std::vector<ref::Scene> scenes{source.at(0)};
+  std::pair<int, int> range{0, int(std::floor(scenes[0].duration * input.rate))};
+  if (!input.frames.empty()) range = parse_range(input.frames);
+  scenes.clear();
+  for (int n = range.first; n <= range.second; ++n) scenes.push_back(source.at(n / input.rate));
+  if (scenes.size() < 3 || scenes[0].duration <= 0) {
     throw ref::Error(
         fmt::format("{}: {} frames, and what moves is seen from the third on: take an animated scene and "
                     "more --frames",
-                    options.input.scene, frames.scenes.size()));
+                    input.scene, scenes.size()));
   }
+  return scenes;
+}
+
+void run_static(const StaticOptions& options) {
+  const std::vector<ref::Scene> scenes = scenes_of(options.input);
+  const FrameSize size = parse_size(options.input.size);
   const double aspect = double(size.width) / size.height;
-  const model::Configuration configuration = numbered(options.config, frames.scenes[0]->instances.size());
+  const model::Configuration configuration = numbered(options.config, scenes[0].instances.size());
   const Config config = configuration.config();
   std::vector<const ref::Scene*> times;
-  for (const auto& time : frames.scenes) times.push_back(time.get());
+  for (const ref::Scene& time : scenes) times.push_back(&time);
   // Depths of two frames compare if they are of the same planes.
   const ref::DepthPlanes planes = ref::held_planes(times, aspect);
   const auto scene_at = [&](std::size_t n) {
