@@ -26,8 +26,8 @@ std::string x_axis(double first, double last) {
   }
   const double quarter = (last - first) / 4, decade = std::pow(10, std::floor(std::log10(quarter)));
   const double step = std::max(1.0, decade * (quarter <= 2 * decade ? 2 : quarter <= 5 * decade ? 5 : 10));
-  return fmt::format("unset logscale x\nset xrange [*:*]\nset xtics {}\nset format x '{}'", step,
-                     step < 1000 ? "%.0f" : "%.0s%c");
+  const char* format = step < 1000 ? "%.0f" : step < 1e6 && last >= 1e6 ? "%.2s%c" : "%.0s%c";
+  return fmt::format("unset logscale x\nset xrange [*:*]\nset xtics {}\nset format x '{}'", step, format);
 }
 
 void draw_front(PanelScript& script, const std::vector<Json>& rows, const std::string& scene, const std::string& cost,

@@ -7,6 +7,7 @@
 #include "model/pipeline/engine.hpp"
 #include "model/pipeline/memories.hpp"
 #include "model/pipeline/multipliers.hpp"
+#include "ref/error.hpp"
 
 namespace halfspace::model {
 
@@ -54,7 +55,14 @@ std::array<double, 3> FitCosts::of(Config c) {
     default: break;
   }
   const auto [at, is_new] = traffic_.try_emplace(fit_key(c));
-  if (is_new) at->second = slowest_frame(scene_, c);
+  // Other positions may have other triangles: as many as an index of the same width tells apart, or of the next.
+  for (c.triangles = (1 << bits_for(c.triangles)) - 1; is_new && at->second.cycles == 0;) {
+    try {
+      at->second = slowest_frame(scene_, c);
+    } catch (const ref::Misfit&) {
+      c.triangles = 2 * c.triangles + 1;
+    }
+  }
   return {double(cost_ == FitCost::kCycles ? at->second.cycles : at->second.bytes), memory, logic};
 }
 
