@@ -51,6 +51,7 @@ void draw_front(PanelScript& script, const std::vector<Json>& rows, const std::s
   script.line(
       fmt::format("set title {}\nset ylabel 'PSNR against the {}, dB'\nset key below center horizontal samplen 1",
                   gnuplot_quoted(short_name(scene) + ": " + title), motion ? "frames as rendered" : "ideal"));
+  if (last == 0) return script.line("set multiplot next");  // equal to what they are held against, or not measured
   script.line(x_axis(first, last));
   std::string plot;
   const auto add = [&](const std::string& data, const std::string& style) {

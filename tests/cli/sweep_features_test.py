@@ -128,8 +128,8 @@ class Features(unittest.TestCase):
                 "relight=0,1", "samples=1,2", "face_bits=8,14", "coordinate_bits=12,20", "keys=1,3",
                 "mapping=affine,perspective"]
         out = self.root / "motion"
-        rows = sweep(out, MODELS / "X/Testwuson.X", "--camera", "auto", "--config", CONFIGS / "motion/motion_middle.toml", "--frames",
-                     "0:4", *keys_of(vary))
+        rows = sweep(out, MODELS / "X/Testwuson.X", "--camera", "auto", "--config",
+                     CONFIGS / "motion/motion_middle.toml", "--frames", "0:4", *keys_of(vary))
         value = {name: float(row["reference_psnr_db"] or math.inf) for name, row in rows.items()}
         self.assertLess(value["vector_fraction1"], value["vector_fraction4"])
         self.assertLess(value["vector_fraction4"], value["vector_fraction8"])
