@@ -10,8 +10,8 @@
 #include "tests/config_path.hpp"
 #include "tests/formats/extremes/feature_configurations.hpp"
 #include "tests/formats/extremes/frame_judge.hpp"
-#include "tests/formats/extremes/random_configuration.hpp"
 #include "tests/formats/extremes/unit_judges.hpp"
+#include "tests/formats/random_config.hpp"
 #include "vectors/frames/features/feature_extremes.hpp"
 
 namespace halfspace::tests {
@@ -117,11 +117,11 @@ TEST_P(MergeExtremes, AreTheDefinition) {
 }
 
 TEST(FeatureExtremesOfAny, KernelsAreWithinTheBounds) {
-  RandomConfiguration random(11);
+  RandomConfigs random(11);
   std::uint64_t judged = 0;
   for (int n = 0; n < 40; ++n) {
-    const Configuration configuration = random.next();
-    const Config config = configuration.config();
+    const Config config = random.next();
+    const Configuration configuration = configuration_of(config);
     SCOPED_TRACE(model::configuration_toml(configuration));
     const auto engine = model::make_engine(configuration, config.lanes);
     Measured measured;
