@@ -190,6 +190,12 @@ void add_sequence_options(CLI::App* command, SequenceOptions& o) {
   command->add_option("--size", o.size, "frame, WxH")->capture_default_str();
   command->add_option("--first", o.first, "first frame of the animation")->capture_default_str()->check(zero_or_more());
   command->add_option("--frames", o.frames, "how many; default: to the end of the animation")->check(above_zero());
+  command->add_option("--zoom", o.zoom, "everything so many times as large in the frame")
+      ->capture_default_str()
+      ->check(CLI::Range(1e-3, 1e3));
+  command->add_option("--speed", o.speed, "the animation so many times as fast")
+      ->capture_default_str()
+      ->check(CLI::Range(1e-3, 1e3));
   command->add_option("--filter", o.filter, "of key frames")
       ->check(CLI::IsMember({"nearest", "bilinear", "area", "bicubic"}));
   command->add_option("--mapping", o.mapping, "of places in key frames: affine on the screen, or perspective (default)")
@@ -228,10 +234,16 @@ Sequence run_with(const SequenceOptions& options, const std::function<void(const
         "straight");
   }
   const SceneSource source(options.scene, options.choice, textured);
-  const ref::Scene scene = source.at(double(options.first) / kFramesASecond);
+  const double aspect = double(size.width) / size.height;
+  const auto scene_at = [&](int number) {
+    ref::Scene at = source.at(options.speed * double(options.first + number) / kFramesASecond);
+    if (options.zoom != 1) ref::zoom(at, options.zoom, aspect);
+    return at;
+  };
+  const ref::Scene scene = scene_at(0);
   if (scene.duration <= 0)
     throw ref::Error(fmt::format("{}: nothing moves in it: take an animated scene", options.scene));
-  const int all = int(std::floor(scene.duration * kFramesASecond)) + 1 - options.first;
+  const int all = int(std::floor(scene.duration / options.speed * kFramesASecond)) + 1 - options.first;
   const int frames = options.frames ? std::min(options.frames, all) : all;
   if (frames < 3)
     throw ref::Error(fmt::format("{}: {} frames from --first on, and two keys with one in between are 3: take more",
@@ -240,9 +252,8 @@ Sequence run_with(const SequenceOptions& options, const std::function<void(const
   const model::Configuration colour = colour_configuration(options, size);
   Sequence out{size.width, size.height, frames, {}, colour.name(), ""};
   std::optional<ref::DepthPlanes> planes;
-  const auto scene_at = [&](int number) { return source.at(double(options.first + number) / kFramesASecond); };
   for (int n = 0; n < frames && (options.static_buffer || options.held_planes); ++n) {
-    const ref::DepthPlanes at = ref::depth_planes(scene_at(n), double(size.width) / size.height);
+    const ref::DepthPlanes at = ref::depth_planes(scene_at(n), aspect);
     planes = planes ? ref::joined(*planes, at) : at;
   }
   const auto fitted = [&](int number) {

@@ -25,8 +25,9 @@ struct SequenceOptions {
   int samples = 1, first = 0, frames = 0;  // frames 0: to the end of the animation
   bool relight = true, half = false, index_test = true, surfaces = false;
   bool static_buffer = false;
-  bool held_planes = false;  // depth planes of all frames together, as with static_buffer, so that both draw the same
-  double psnr = 45;          // of --keys auto
+  bool held_planes = false;    // depth planes of all frames together, as with static_buffer, so that both draw the same
+  double psnr = 45;            // of --keys auto
+  double zoom = 1, speed = 1;  // how large the scene is in the frame, and how fast its time goes by
   std::vector<std::string> set;  // "weight_bits=4": of the motion's configuration
 };
 

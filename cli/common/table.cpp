@@ -27,8 +27,9 @@ struct Column {
 };
 
 std::vector<Column> columns_of(const Table& table) {
-  std::vector<Column> columns(table.rows[0].size());
+  std::vector<Column> columns;
   for (const auto& row : table.rows) {
+    if (columns.size() < row.size()) columns.resize(row.size());
     for (std::size_t c = 0; c < row.size(); ++c) {
       columns[c].width = std::max(columns[c].width, width_of(row[c]));
       if (&row != &table.rows[0]) columns[c].right = columns[c].right && looks_numeric(row[c]);

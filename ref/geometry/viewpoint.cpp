@@ -105,6 +105,15 @@ DepthPlanes joined(const DepthPlanes& a, const DepthPlanes& b) {
   return {std::min(a.near, b.near), std::max(a.far, b.far)};
 }
 
+void zoom(Scene& scene, double zoom, double aspect) {
+  const Viewpoint view = place(scene, aspect);
+  Camera camera = scene.camera.value_or(Camera());
+  half_sizes(camera, aspect, &camera.half_width, &camera.half_height);
+  camera.half_width /= zoom, camera.half_height /= zoom;
+  camera.position = view.eye, camera.forward = view.forward;
+  scene.camera = camera;
+}
+
 Viewpoint viewpoint(const Scene& scene, double aspect) {
   Viewpoint view = place(scene, aspect);
   const auto [near, far] = planes_from(scene, view);

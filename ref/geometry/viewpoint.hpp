@@ -26,6 +26,9 @@ struct Viewpoint {
 // The scene's camera, or one that frames the scene; `aspect` is width / height of the frame.
 Viewpoint viewpoint(const Scene&, double aspect);
 
+// Holds the viewpoint, and has everything `zoom` times as large in the frame.
+void zoom(Scene&, double zoom, double aspect);
+
 // The depth planes of that viewpoint, and those that hold two times of an animation.
 DepthPlanes depth_planes(const Scene&, double aspect);
 DepthPlanes joined(const DepthPlanes&, const DepthPlanes&);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ref/geometry/viewpoint.hpp"
 #include "tests/geometry/three_formats.hpp"
 #include "tests/raster/random_triangles.hpp"
 #include "tests/scene/refusal.hpp"
@@ -105,6 +106,26 @@ TEST(Geometry, MirrorsKeepTheirOutside) {
 }
 
 // Light, viewer and normal on one line: I = Ia Ka + Ii (Kd + Ks).
+TEST(Geometry, ZoomScalesAboutTheMiddleOfTheFrame) {
+  constexpr double kZoom = 0.7;  // nothing leaves the frame, nor is clipped
+  const View view = view_of(kMiddle);
+  for (const char* name : {"castle", "pyramid", "cube_zoom"}) {  // framed, framed, with a camera
+    Scene scene = load_scene(name, 0.2);
+    const TriangleList before = project(scene, view);
+    zoom(scene, kZoom, double(view.width) / view.height);
+    const TriangleList after = project(scene, view);
+    ASSERT_EQ(after.triangles.size(), before.triangles.size()) << name;
+    for (std::size_t k = 0; k < before.triangles.size(); ++k) {
+      for (int v = 0; v < 3; ++v) {
+        const Vertex &a = before.triangles[k][v], &b = after.triangles[k][v];
+        ASSERT_NEAR(b.x - view.width / 2.0, kZoom * (a.x - view.width / 2.0), 1e-8) << name;
+        ASSERT_NEAR(b.y - view.height / 2.0, kZoom * (a.y - view.height / 2.0), 1e-8) << name;
+        ASSERT_NEAR(b.z, a.z, 1e-12) << name;
+      }
+    }
+  }
+}
+
 TEST(Geometry, LightingIsPhongs) {
   Mesh mesh;
   mesh.positions = {{0, 0, -2}, {1e-3, 0, -2}, {0, 1e-3, -2}};
