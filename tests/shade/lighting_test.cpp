@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <random>
 
-#include "model/formats/format_fields.hpp"
 #include "model/shade/lighting_engine.hpp"
 #include "ref/error.hpp"
 #include "ref/geometry/distant_lighting.hpp"
@@ -169,26 +168,6 @@ TEST(LightingFormats, FilesAndHeadersAgree) {
   }
 }
 
-// With the top bit of a width taken away the sums change.
-TEST_P(Lighting, NoWidthIsABitTooWide) {
-  const Config config = GetParam();
-  const auto frames = model::lighting_frames(config, 1);
-  const auto right = model::make_lighting_engine(config);
-  std::vector<std::vector<std::array<std::array<std::uint64_t, 3>, 3>>> sums;
-  for (const LightingFrame& frame : frames) sums.push_back(right->sums(frame));
-  for (const model::FormatField& field : model::format_fields()) {
-    if (field.part != Part::kLighting) continue;
-    FormatTable table = format_table(config);
-    NumberFormat& format = table.*field.format;
-    if (format.width == 1 || !field.is_used(config)) continue;
-    --format.width;
-    --format.integer;
-    const auto narrower = model::make_lighting_engine(config, table);
-    bool differs = false;
-    for (std::size_t f = 0; f < frames.size() && !differs; ++f) differs = narrower->sums(frames[f]) != sums[f];
-    EXPECT_TRUE(differs) << field.name << " of " << config.name << " can do with " << format.width << " bits";
-  }
-}
 INSTANTIATE_TEST_SUITE_P(Of, Lighting,
                          testing::Values(LitLow::config(), LitMiddle::config(), LitHigh::config(), LitMatte::config()),
                          [](const auto& info) { return std::string(info.param.name); });

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Phong shading at scan-out: planes of normals against exact ones, configurations, and that no width is a bit too wide.
+// Phong shading at scan-out: planes of normals against exact ones, and configurations.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdio>
 
-#include "model/formats/format_fields.hpp"
 #include "model/pipeline/engine_impl.hpp"
 #include "model/shade/frame_lighting.hpp"
 #include "ref/error.hpp"
@@ -172,34 +171,6 @@ TEST(PhongConfigurations, AreRefusedWithAReason) {
             }).find("normal_fraction where"),
             std::string::npos);
   EXPECT_NE(refusal_of([](Config& c) { c.normal_bits = 17; }).find("normal_bits is 9 to 16"), std::string::npos);
-}
-
-// With the top bit of a width taken away the planes or the picture change.
-TEST(PhongFormats, NoWidthIsABitTooWide) {
-  for (const Config& config : {PhongLow::config(), PhongMiddle::config(), PhongHigh::config()}) {
-    const auto frames = frames_of(config);
-    auto words_of = [&](model::Engine& engine, const model::NamedFrame& frame) {
-      std::vector<model::Word> all;
-      engine.light(frame.lighting);
-      engine.capture(frame.scene, [&](const model::Layout& layout, const model::Word* words, std::size_t count) {
-        if (layout.stream == "pixel" || layout.stream == "visible") all.insert(all.end(), words, words + count);
-      });
-      return all;
-    };
-    const auto right = model::make_engine(configuration_of(config), 1);
-    for (const model::FormatField& field : model::format_fields()) {
-      if (std::string(field.name).rfind("normal_", 0) != 0) continue;
-      FormatTable table = format_table(config);
-      NumberFormat& format = table.*field.format;
-      --format.width, --format.integer;
-      const auto narrower = model::make_runtime_engine(config, table, 1);
-      bool differs = false;
-      for (std::size_t n = 0; n < frames.size() && !differs; ++n) {
-        differs = words_of(*narrower, frames[n]) != words_of(*right, frames[n]);
-      }
-      EXPECT_TRUE(differs) << field.name << " of " << config.name << " can do with " << format.width << " bits";
-    }
-  }
 }
 
 TEST(PhongShading, RefusesFramesWithoutNormals) {

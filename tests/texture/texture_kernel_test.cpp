@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "model/formats/format_fields.hpp"
 #include "model/formats/runtime_formats.hpp"
 #include "ref/error.hpp"
 #include "ref/geometry/plane.hpp"
@@ -232,27 +231,6 @@ TEST(TextureFormats, ReadAtRunTimeDrawTheSame) {
   expect_same_pictures<TexturedLow>();
   expect_same_pictures<TexturedFlat>();
   expect_same_pictures<TexturedPhong>();
-}
-
-// With the top bit of a width taken away the picture changes. A small memory is filled up to its last address.
-TEST(TextureFormats, NoWidthIsABitTooWide) {
-  using F = RuntimeFormats<Stamp1>;
-  for (Config config : {TexturedLow::config(), TexturedMiddle::config(), TexturedFlat::config()}) {
-    config.texels = 4096;
-    const auto frames = frames_of(config);
-    F::activate(config, format_table(config));
-    const auto want = pictures_of<F>(config, frames);
-    for (const model::FormatField& field : model::format_fields()) {
-      if (field.part != Part::kTexture && field.part != Part::kCoordinates) continue;
-      if (!field.is_used(config)) continue;
-      FormatTable table = format_table(config);
-      NumberFormat& format = table.*field.format;
-      --format.width, format.integer = std::max(format.integer - 1, 0);
-      F::activate(config, table);
-      EXPECT_TRUE(pictures_of<F>(config, frames) != want)
-          << field.name << " of " << config.name << " can do with " << format.width << " bits";
-    }
-  }
 }
 
 }  // namespace
