@@ -4,6 +4,7 @@
 #define HALFSPACE_TESTS_FORMATS_EXTREMES_TEXTURE_BOUND_HPP_
 
 #include "ref/error.hpp"
+#include "ref/scene/texture.hpp"
 #include "tests/formats/extremes/colour_bound.hpp"
 #include "tests/formats/extremes/place_bound.hpp"
 
@@ -13,6 +14,7 @@ class TextureBound {
  public:
   TextureBound(const Config& config, const model::NamedFrame& frame) : c_(config), frame_(frame) {
     for (const model::RawTexel& texel : frame.texture.texels) memory_[texel.address] = texel.rgb;
+    for (const model::RawTexture& t : frame.texture.textures) whole_.push_back(whole(t));
   }
 
   // `lit` of triangle k, with texture.
@@ -31,7 +33,21 @@ class TextureBound {
       if (error[axis] > 1.5 && error[axis] >= std::ldexp(1.0, side) / 2) return {};
       if (error[axis] > kMost) return {};
     }
-    return is_bilinear(c_) ? bilinear(texture, where, error, lit) : nearest(texture, where, error, lit);
+    // The texel of the reference, exactly.
+    const ref::Texture& all = whole_[std::size_t(words.texture) - 1];
+    std::array<double, 3> exact = interpolated(texture, where);
+    if (!all.texels.empty()) {
+      std::uint64_t texels = 0;
+      const double half = is_bilinear(c_) ? 0.5 : 0;
+      const glm::dvec3 rgb =
+          ref::sample(all, {(where[0] + half) / all.width, (where[1] + half) / all.height},
+                      is_bilinear(c_) ? ref::TextureFilter::kBilinear : ref::TextureFilter::kNearest, texels);
+      exact = {rgb.r, rgb.g, rgb.b};
+    }
+    ColourBound out =
+        is_bilinear(c_) ? bilinear(texture, where, error, exact, lit) : nearest(texture, where, error, lit);
+    for (std::size_t c = 0; c < 3; ++c) out.exact[c] = lit.exact[c] * exact[c] / full();
+    return out;
   }
 
  private:
@@ -46,6 +62,29 @@ class TextureBound {
     const auto found = memory_.find(t.base + inside);
     if (found == memory_.end()) throw ref::Error(frame_.note + ": a texel that is not there is asked for");
     return found->second;
+  }
+
+  // As the reference takes it; without texels where some are not in the memory.
+  ref::Texture whole(const model::RawTexture& t) const {
+    ref::Texture out{"", 1 << t.log2_width, 1 << t.log2_height, {}};
+    for (int n = 0; n < out.width * out.height; ++n) {
+      if (memory_.find(t.base + n) == memory_.end()) return out;
+    }
+    for (int n = 0; n < out.width * out.height; ++n) out.texels.push_back(texel(t, n % out.width, n / out.width));
+    return out;
+  }
+  // At a place, or the nearest.
+  std::array<double, 3> interpolated(const model::RawTexture& t, const std::array<double, 2>& where) const {
+    const std::int64_t i = std::int64_t(std::floor(where[0])), j = std::int64_t(std::floor(where[1]));
+    const double a = is_bilinear(c_) ? where[0] - double(i) : 0, b = is_bilinear(c_) ? where[1] - double(j) : 0;
+    std::array<double, 3> out;
+    for (std::size_t c = 0; c < 3; ++c) {
+      out[c] = (1 - b) * (1 - a) * texel(t, i, j)[c];
+      if (a > 0) out[c] += (1 - b) * a * texel(t, i + 1, j)[c];
+      if (b > 0) out[c] += b * (1 - a) * texel(t, i, j + 1)[c];
+      if (a > 0 && b > 0) out[c] += b * a * texel(t, i + 1, j + 1)[c];
+    }
+    return out;
   }
 
   double full() const { return (1 << c_.colour_bits) - 1; }
@@ -64,8 +103,6 @@ class TextureBound {
   ColourBound nearest(const model::RawTexture& t, const std::array<double, 2>& where,
                       const std::array<double, 2>& error, const ColourBound& lit) const {
     ColourBound out;
-    const Rgb& exact = texel(t, std::int64_t(std::floor(where[0])), std::int64_t(std::floor(where[1])));
-    for (std::size_t c = 0; c < 3; ++c) out.exact[c] = lit.exact[c] * exact[c] / full();
     for (std::int64_t j = first(where[1], error[1]); j <= last(where[1], error[1]); ++j) {
       for (std::int64_t i = first(where[0], error[0]); i <= last(where[0], error[0]); ++i) {
         const Rgb& rgb = texel(t, i, j);
@@ -77,14 +114,11 @@ class TextureBound {
   }
 
   ColourBound bilinear(const model::RawTexture& t, const std::array<double, 2>& where,
-                       const std::array<double, 2>& error, const ColourBound& lit) const {
+                       const std::array<double, 2>& error, const std::array<double, 3>& exact,
+                       const ColourBound& lit) const {
     ColourBound out;
-    const std::int64_t i = std::int64_t(std::floor(where[0])), j = std::int64_t(std::floor(where[1]));
-    const double a = where[0] - double(i), b = where[1] - double(j);
     std::array<double, 3> low, high;
     for (std::size_t c = 0; c < 3; ++c) {
-      const double value = (1 - b) * ((1 - a) * texel(t, i, j)[c] + a * texel(t, i + 1, j)[c]) +
-                           b * ((1 - a) * texel(t, i, j + 1)[c] + a * texel(t, i + 1, j + 1)[c]);
       // The filter is no steeper than two texels side by side differ.
       double steep_x = 0, steep_y = 0;
       for (std::int64_t y = first(where[1], error[1]); y <= last(where[1], error[1]) + 1; ++y) {
@@ -97,7 +131,7 @@ class TextureBound {
         }
       }
       const double off = error[0] * steep_x + error[1] * steep_y + std::ldexp(1.0, -kFilteredFraction - 1);
-      out.exact[c] = lit.exact[c] * value / full(), low[c] = value - off, high[c] = value + off;
+      low[c] = exact[c] - off, high[c] = exact[c] + off;
     }
     const double more = std::ldexp(1.0, -c_.colour_bits - 1) + std::ldexp(1.0, -c_.colour_bits - 8);
     for (const ColourBox& box : lit.boxes) out.boxes.push_back(product(box, low, high, more));
@@ -110,6 +144,7 @@ class TextureBound {
   const Config c_;
   const model::NamedFrame& frame_;
   std::unordered_map<int, Rgb> memory_;
+  std::vector<ref::Texture> whole_;
 };
 
 }  // namespace halfspace::tests
