@@ -134,6 +134,7 @@ int run(int argc, char** argv) {
   halfspace::cli::add_sweep(app, status);
   halfspace::cli::add_frames(app, status);
   halfspace::cli::add_static(app, status);
+  halfspace::cli::add_foresee(app, status);
   halfspace::cli::add_quality(app, status);
   halfspace::cli::add_cost(app, status);
   try {

@@ -14,12 +14,13 @@
 #include "model/texture/texture.hpp"
 #include "ref/error.hpp"
 #include "ref/geometry/viewpoint.hpp"
+#include "ref/motion/foresee.hpp"
 #include "ref/motion/quality.hpp"
 
 namespace halfspace::cli {
 namespace {
 
-constexpr int kMostBetween = 4;
+constexpr int kMostBetween = 9, kMostMeasured = 4;
 
 // By the reference or the kernels.
 class Converter {
@@ -146,12 +147,15 @@ model::Configuration motion_of(const SequenceOptions& options, const FrameSize& 
   return model::motion_configuration(colour, numbers, size.width * options.samples, size.height * options.samples);
 }
 
+// Frames between two keys; or as many as keep a PSNR, as it is foreseen or as it is measured.
+constexpr int kForeseen = 0, kMeasured = -1;
 int between_of(const std::string& keys) {
-  if (keys == "auto") return 0;
+  if (keys == "auto") return kForeseen;
+  if (keys == "measured") return kMeasured;
   if (keys.size() == 3 && keys.compare(0, 2, "1:") == 0 && keys[2] >= '1' && keys[2] <= '0' + kMostBetween)
     return keys[2] - '0';
-  throw ref::Error(
-      fmt::format("--keys {}: one key frame to how many in between: write 1:1 … 1:{}, or auto", keys, kMostBetween));
+  throw ref::Error(fmt::format("--keys {}: one key frame to how many in between: write 1:1 … 1:{}, auto or measured",
+                               keys, kMostBetween));
 }
 
 }  // namespace
@@ -172,11 +176,12 @@ void add_sequence_options(CLI::App* command, SequenceOptions& o) {
   add_scene_choice(command, o.choice);
   command
       ->add_option("--keys", o.keys,
-                   "key frames to frames in between, 1:1 … 1:4; auto: as many in between as keep --psnr")
+                   "key frames to frames in between, 1:1 … 1:9; auto: as many in between as keep --psnr as the motion "
+                   "foresees it, before they are rendered; measured: as it comes out, up to 1:4")
       ->capture_default_str();
   command
       ->add_option("--psnr", o.psnr,
-                   "dB that each frame in between has to keep against its rendered one, with --keys auto")
+                   "dB that each frame in between has to keep against its rendered one, with --keys auto and measured")
       ->capture_default_str()
       ->check(finite());
   command->add_option("--engine", o.engine, "ref: floating-point reference; hls: fixed-point kernels")
@@ -262,6 +267,21 @@ Sequence run_with(const SequenceOptions& options, const std::function<void(const
     if (has_texture(colour.config())) model::fit_textures(at, colour.config());
     return at;
   };
+  if (fill == kForeseen && (textured || has_texture(colour.config()) || options.samples != 1 || !options.relight ||
+                            options.method != "exact" || options.half)) {
+    throw ref::Error(
+        "--keys auto: foreseen are frames without textures, of a sample a pixel, relit, of exact and whole motion: "
+        "take "
+        "--keys measured");
+  }
+  const Config numbers = colour.config();
+  const ref::View view{size.width * options.samples, size.height * options.samples, numbers.range_bits,
+                       numbers.subpixel_bits};
+  const auto foreseen = [&](const ref::Scene& first, const ref::Scene& last, const ref::Scene& between, double a) {
+    ref::Geometry lit(between, view);
+    const ref::Between motion = ref::follow(ref::MotionMethod::kExact, first, last, between, a, view);
+    return ref::foreseen_psnr_y(ref::moving_gradient(motion, lit, view));
+  };
   std::unique_ptr<Converter> converter;
   if (options.engine == "ref") {
     converter = reference_converter(options, size, model::raster_format(colour));
@@ -285,16 +305,25 @@ Sequence run_with(const SequenceOptions& options, const std::function<void(const
     if (key + 1 == frames) break;
     std::vector<SequenceFrame> between;
     ref::Scene last;
-    int count = std::min(fill ? fill : kMostBetween, frames - 2 - key);
+    const int most = fill == kForeseen ? kMostBetween : fill == kMeasured ? kMostMeasured : fill;
+    int count = std::min(most, frames - 2 - key);
+    for (; fill == kForeseen && count > 1; --count) {
+      const int middle = (count + 1) / 2;
+      if (foreseen(first, fitted(key + count + 1), fitted(key + middle), double(middle) / (count + 1)) >= options.psnr)
+        break;
+    }
     for (bool kept = false; !kept; --count) {
       between.clear();
       last = fitted(key + count + 1);
       converter->set_keys(first, last);
       kept = true;
       for (int n = 1; n <= count && kept; ++n) {
-        SequenceFrame& frame = between.emplace_back(converter->at(fitted(key + n), double(n) / (count + 1)));
+        const ref::Scene now = fitted(key + n);
+        SequenceFrame& frame = between.emplace_back(converter->at(now, double(n) / (count + 1)));
         frame.number = key + n;
-        if (!fill) kept = ref::quality(frame.shown, frame.rendered, size.width, size.height).psnr_y >= options.psnr;
+        if (fill == kForeseen || options.foresee) frame.foreseen = foreseen(first, last, now, double(n) / (count + 1));
+        if (fill == kMeasured)
+          kept = ref::quality(frame.shown, frame.rendered, size.width, size.height).psnr_y >= options.psnr;
         progress.tell(std::size_t(key + n), std::size_t(frames));
       }
       if (kept) break;

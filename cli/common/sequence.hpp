@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,7 @@ struct SequenceOptions {
   int samples = 1, first = 0, frames = 0;  // frames 0: to the end of the animation
   bool relight = true, half = false, index_test = true, surfaces = false;
   bool static_buffer = false;
+  bool foresee = false;
   bool held_planes = false;    // depth planes of all frames together, as with static_buffer, so that both draw the same
   double psnr = 45;            // of --keys auto
   double zoom = 1, speed = 1;  // how large the scene is in the frame, and how fast its time goes by
@@ -42,7 +44,8 @@ void add(Work& sum, const Work& work);
 
 // A frame between keys, or a key.
 struct SequenceFrame {
-  int number = 0;  // of the sequence, from 0 on
+  std::optional<double> foreseen;  // PSNR_Y, where it was asked for or decides, and can be foreseen
+  int number = 0;                  // of the sequence, from 0 on
   bool is_key = false;
   ref::Colours shown;            // compensated; a key as it is drawn
   ref::Colours rendered;         // without up-conversion
