@@ -14,6 +14,7 @@
 #include "model/pipeline/cycles.hpp"
 #include "ref/error.hpp"
 #include "ref/geometry/viewpoint.hpp"
+#include "ref/motion/quality.hpp"
 #include "ref/objects/static_instances.hpp"
 
 namespace halfspace::cli {
@@ -31,10 +32,11 @@ struct Cost {
   bool made;          // of key frames; else rendered
   double cycles = 0;  // of the slowest unit
   const char* slowest = "";
-  double multiplications = 0;        // a covered pixel of the frame
-  double bytes = 0;                  // likewise, to and from memory outside
-  std::size_t triangles = 0;         // handed to the pipeline
-  std::size_t words = 0, tiles = 0;  // of motion, and of keys
+  double multiplications = 0;                 // a covered pixel of the frame
+  double bytes = 0;                           // likewise, to and from memory outside
+  std::size_t triangles = 0;                  // handed to the pipeline
+  std::size_t words = 0, tiles = 0;           // of motion, and of keys
+  std::optional<double> psnr = std::nullopt;  // PSNR_Y against the rendered frame, of one that is made
 };
 
 // What the renderer's units would take for themselves, of a frame of which triangles and pixels are at hand.
@@ -104,25 +106,29 @@ Cost rendered(const char* name, const FrontEnd& front, double picture_pixels, bo
 
 // A frame made of two keys. Multiplications: two a plane, three of perspective a key; of each key's filter three or,
 // bicubic, fifteen a channel; one a channel of the blend. A word of motion is written and read, tiles are fetched, the
-// picture is written.
+// picture is written. Half a field has a word for 2 × 2 pixels, from a front end of that size.
 Cost made(const char* name, const FrontEnd& front, double picture_pixels, const model::KernelFrameBetween& between,
-          const model::Configuration& configuration) {
+          const model::KernelUpConversion& mode) {
+  const model::Configuration& configuration = mode.motion;
   const Config motion = configuration.config();
   Cost cost{name, true};
+  cost.psnr = ref::quality(between.colour, between.rendered, mode.width, mode.height).psnr_y;
+  const double words = mode.half_field ? front.pixels : double(between.words);
   take_front(cost, front);
   take(cost, "motion_field", front.pixel_scan);
   take(cost, "motion_compensate", double(between.cycles));
   const double planes = (has_perspective(motion) ? 3 : 2) + (relights(motion) ? 3 : 0);
   const double filter = motion.filter == KeyFilter::kNearest ? 0 : motion.filter == KeyFilter::kBicubic ? 15 : 3;
   cost.multiplications =
-      double(between.words) * (2 * (2 * planes + (has_perspective(motion) ? 3 : 0) + 3 * filter) + 3) / picture_pixels;
+      (words * 2 * (2 * planes + (has_perspective(motion) ? 3 : 0)) + double(between.words) * (2 * 3 * filter + 3)) /
+      picture_pixels;
   double word = 0;
   for (const model::Layout& layout : model::make_engine(configuration, 1)->layouts()) {
     if (layout.stream == "motion") word = layout.bits;
   }
   const double tiles = 64 * double(between.misses[0] + between.misses[1]) * model::key_pixel_bits(motion) / 8;
-  cost.bytes = (double(between.words) * 2 * word / 8 + tiles) / picture_pixels + 3;
-  cost.words = between.words, cost.tiles = between.misses[0] + between.misses[1];
+  cost.bytes = (words * 2 * word / 8 + tiles) / picture_pixels + 3;
+  cost.words = std::size_t(words), cost.tiles = between.misses[0] + between.misses[1];
   return cost;
 }
 
@@ -151,7 +157,7 @@ std::vector<Cost> with_static_buffer(const model::KernelUpConversion& mode, cons
                           rendered(one ? "rendered, Phong, S-buffer" : "rendered, 4x4, Phong, S-buffer", moving,
                                    picture_pixels, false, options.lights),
                           made(one ? "made of key frames, S-buffer" : "made, 4x4 samples, S-buffer", moving,
-                               picture_pixels, converter.at(between, 0.4), mode.motion),
+                               picture_pixels, converter.at(between, 0.4), with),
                           rendered(one ? "the S-buffer, once, Gouraud" : "the S-buffer, once, 4x4, Gouraud", standing,
                                    picture_pixels, false, 0)};
   for (Cost& cost : costs) {
@@ -184,9 +190,9 @@ void cost(const CostOptions& options) {
                {"rows", Json::array()}};
   fmt::print(
       "{} {}: a frame between two keys five apart, rendered and made of them; {} lanes, {} lights\n\n"
-      "{:<34} {:>10}  {:<18} {:>9} {:>9} {:>9} {:>9} {:>8} {:>8}\n",
+      "{:<34} {:>10}  {:<18} {:>9} {:>9} {:>9} {:>9} {:>8} {:>8} {:>8}\n",
       options.scene, options.size, options.lanes, options.lights, "", "cycles", "slowest unit", "MUL/pixel", "B/pixel",
-      "of cycles", "triangles", "words", "tiles");
+      "of cycles", "triangles", "words", "tiles", "PSNR_Y");
   for (const int samples : {1, 4}) {
     const model::Configuration chosen = model::find_configuration(samples == 1 ? options.config : "high");
     const model::Configuration named = has_lighting(chosen.config()) ? model::unlit_configuration(chosen) : chosen;
@@ -205,7 +211,7 @@ void cost(const CostOptions& options) {
     model::KernelUpConverter converter(mode);
     converter.set_keys(first, second);
     const Cost up = made(samples == 1 ? "made of key frames" : "made, 4x4 samples", front, picture_pixels,
-                         converter.at(between, 0.4), motion);
+                         converter.at(between, 0.4), mode);
     const bool one = samples == 1;
     std::vector<Cost> rows = {
         rendered(one ? "rendered, Gouraud" : "rendered, 4x4 samples, Gouraud", front, picture_pixels, false, 0),
@@ -213,15 +219,25 @@ void cost(const CostOptions& options) {
         rendered(one ? "rendered, Phong" : "rendered, 4x4 samples, Phong", front, picture_pixels, false,
                  options.lights),
         up};
+    if (one && size.width % 2 == 0 && size.height % 2 == 0) {
+      model::KernelUpConversion half = mode;
+      half.half_field = true;
+      const ref::View half_view{size.width / 2, size.height / 2, view.range_bits, view.subpixel_bits};
+      const FrontEnd half_front = front_end(named, ref::project(between, half_view), options.lanes);
+      model::KernelUpConverter half_converter(half);
+      half_converter.set_keys(first, second);
+      rows.push_back(
+          made("made, a vector for 2x2 pixels", half_front, picture_pixels, half_converter.at(between, 0.4), half));
+    }
     if (standing != 0) {
       const std::vector<Cost> with =
           with_static_buffer(mode, held[0], held[1], held[2], still, picture_pixels, options);
       rows.insert(rows.end(), with.begin(), with.end());
     }
     for (const Cost& row : rows) {
-      fmt::print("{:<34} {:>10.0f}  {:<18} {:>9.1f} {:>9.1f} {:>8.0f}% {:>9} {:>8} {:>8}\n", row.name, row.cycles,
+      fmt::print("{:<34} {:>10.0f}  {:<18} {:>9.1f} {:>9.1f} {:>8.0f}% {:>9} {:>8} {:>8} {:>8}\n", row.name, row.cycles,
                  row.slowest, row.multiplications, row.bytes, 100 * up.cycles / row.cycles, row.triangles, row.words,
-                 row.tiles);
+                 row.tiles, row.psnr ? fmt::format("{:.2f}", *row.psnr) : "");
       json["rows"].push_back({{"name", row.name},
                               {"samples", samples},
                               {"made", row.made},
@@ -233,11 +249,12 @@ void cost(const CostOptions& options) {
                               {"triangles", row.triangles},
                               {"motion_words", row.words},
                               {"cache_misses", row.tiles}});
+      if (row.psnr) json["rows"].back()["psnr_y_db"] = *row.psnr;
     }
   }
   fmt::print(
       "\nA pixel is a covered one of the picture. Of cycles: those of the made frame, of this one's. Words are of "
-      "motion, tiles of key frames.\n");
+      "motion, tiles of key frames; dB of the made frame against the rendered one.\n");
   if (standing == 0) {
     fmt::print(
         "No instance stands still in all three frames, or the view or a light changes: an S-buffer would be empty.\n");
