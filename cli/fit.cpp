@@ -13,6 +13,7 @@
 #include "cli/commands.hpp"
 #include "cli/common/area.hpp"
 #include "cli/common/cosim.hpp"
+#include "cli/common/fit_between.hpp"
 #include "cli/common/numbers.hpp"
 #include "cli/common/output.hpp"
 #include "cli/common/progress.hpp"
@@ -36,6 +37,8 @@ struct FitOptions {
   model::FitGoal goal;
   int lanes = 0;
   std::string output, work, json, area = "xilinx", cost = "memory", shading = "gouraud";
+  std::string filter = "bilinear";
+  int keys = 0;
   bool lit = false;
   bool cosim = true;
 };
@@ -225,6 +228,12 @@ std::function<double(const Configuration&)> synthesis(const FitOptions& options,
 }
 
 void fit(FitOptions options) {
+  options.goal.cost = model::FitCost(std::find(std::begin(model::kFitCosts), std::end(model::kFitCosts), options.cost) -
+                                     std::begin(model::kFitCosts));
+  if (options.keys != 0) {
+    return fit_between({options.input, options.goal, options.keys, options.filter, options.cost, options.output,
+                        options.work, options.json, options.cosim});
+  }
   const std::vector<std::string> targets = area_targets(options.area);
   std::optional<model::StagedFile> output;  // before the work: whether it can be written
   if (!options.output.empty()) output.emplace(options.output);
@@ -244,8 +253,6 @@ void fit(FitOptions options) {
   if (goal.look.distant && !scene.frames.front().scene())
     throw ref::Error(
         fmt::format("{}: its triangles have colours and no normals: leave out --lit and --shading phong", scene.name));
-  goal.cost = model::FitCost(std::find(std::begin(model::kFitCosts), std::end(model::kFitCosts), options.cost) -
-                             std::begin(model::kFitCosts));
   fmt::print("  the ideal picture: {}; what is to be least: {}\n", ref::name_of(goal.look), options.cost);
   const std::string name = options.output.empty() ? name_of(scene.name) : name_of(options.output);
   const std::string work = options.work.empty() ? "fit_" + name : options.work;
@@ -323,6 +330,8 @@ void add_fit(CLI::App& app, int&) {
       "  halfspace fit drone --frames 0:4 --size 160x120 --max-lsb 2 --area none -o drone.toml\n"
       "  halfspace fit duck.dae --size 160x120 --psnr 35 --cost bytes --area none -o duck.toml   with its texture\n"
       "  halfspace fit teapot --size 160x120 --shading phong --psnr 38 --area none -o phong.toml  lit by the hardware\n"
+      "  halfspace fit drone --keys 1 --frames 0:4 --size 96x72 --psnr 50 --no-cosim -o motion.toml  frames in "
+      "between\n"
       "Without --area none, its circuit beside that of high, by Yosys: minutes.\n");
   add_frame_options(command, options->input);
   command
@@ -350,6 +359,14 @@ void add_fit(CLI::App& app, int&) {
       ->capture_default_str();
   command->add_option("--shading", options->shading, "of the ideal picture: gouraud, phong, which the hardware lights")
       ->check(CLI::IsMember({"gouraud", "phong"}))
+      ->capture_default_str();
+  command
+      ->add_option("--keys", options->keys,
+                   "of an animation: frames made for each key frame, 1 to 4, held against the reference's; gives a "
+                   "configuration of motion")
+      ->check(CLI::Range(1, 4));
+  command->add_option("--filter", options->filter, "of key frames, with --keys")
+      ->check(CLI::IsMember({"nearest", "bilinear", "area", "bicubic"}))
       ->capture_default_str();
   command->add_flag("--lit", options->lit, "the hardware lights; else triangles come lit");
   command

@@ -10,7 +10,6 @@
 #include "model/pipeline/memories.hpp"
 #include "ref/error.hpp"
 #include "study/fit/fit_search.hpp"
-#include "study/fit/fit_steps.hpp"
 
 namespace halfspace::model {
 namespace {
@@ -111,7 +110,8 @@ Fit fit_configuration(const FitScene& scene, const std::string& name, const FitG
   Config c = without_units(search, generous_start(search, scene, goal), units);
   const std::size_t triangles = std::max<std::size_t>(search.try_config(c).triangles, 2);
   FitCosts costs(scene, goal.cost, int(triangles));
-  const std::vector<Config> ends = fit_ends(search, costs, c);
+  const std::vector<Config> ends = fit_ends(
+      {[&](const Config& tried) { return search.holds(tried); }, [&](const Config& of) { return costs.of(of); }}, c);
   Fit fit{named_configurations()[0], {}, {}, 0, 1, 0, {}, {}};
   c = best_end(ends, goal, triangles, costs, fit.cost);
   fit.outcome = search.try_config(c);
@@ -119,8 +119,7 @@ Fit fit_configuration(const FitScene& scene, const std::string& name, const FitG
   c.triangles = int(std::max<std::size_t>(fit.outcome.triangles, 2));
 
   for (const ConfigField* number : fit_numbers(c)) {
-    Config less = stepped(c, *number, -1).value_or(c);
-    if (number->get(less) == number->get(c)) number->set(less, number->get(c) - 1);  // the least that there is
+    const Config less = fit_less(c, *number);
     const FitOutcome& outcome = search.try_config(less);
     fit.less.push_back({fmt::format("{} {} -> {}", number->name, number->get(c), number->get(less)),
                         outcome.holds ? "holds" : outcome.why});

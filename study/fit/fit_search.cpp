@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "ref/error.hpp"
-#include "study/fit/fit_steps.hpp"
 
 namespace halfspace::model {
 namespace {
@@ -91,12 +90,12 @@ namespace {
 using Numbers = std::vector<const ConfigField*>;
 
 // Steps of each number, in this order, until nothing more can go. `held` is not lowered.
-Config descend(FitSearch& search, Config c, const Numbers& numbers, const ConfigField* held = nullptr) {
+Config descend(const FitTrials& trials, Config c, const Numbers& numbers, const ConfigField* held = nullptr) {
   for (bool lowered = true; lowered;) {
     lowered = false;
     for (const ConfigField* number : numbers) {
       if (number == held) continue;
-      for (auto less = stepped(c, *number, -1); less && search.holds(*less); less = stepped(c, *number, -1))
+      for (auto less = stepped(c, *number, -1); less && trials.holds(*less); less = stepped(c, *number, -1))
         c = *less, lowered = true;
     }
   }
@@ -105,7 +104,13 @@ Config descend(FitSearch& search, Config c, const Numbers& numbers, const Config
 
 }  // namespace
 
-std::vector<Config> fit_ends(FitSearch& search, FitCosts& costs, const Config& start) {
+Config fit_less(const Config& c, const ConfigField& number) {
+  Config less = stepped(c, number, -1).value_or(c);
+  if (number.get(less) == number.get(c)) number.set(less, number.get(c) - 1);
+  return less;
+}
+
+std::vector<Config> fit_ends(const FitTrials& trials, const Config& start) {
   const Numbers numbers = fit_numbers(start);
   // What a step of each saves where it begins, most first; what saves nothing keeps its place.
   Numbers by_saving = numbers;
@@ -114,7 +119,7 @@ std::vector<Config> fit_ends(FitSearch& search, FitCosts& costs, const Config& s
     const auto less = stepped(start, *number, -1);
     Config larger = start;
     if (less && refusal(*less) == Refusal::kNone) larger = *less;
-    of_step.push_back({costs.of(larger), number});
+    of_step.push_back({trials.cost(larger), number});
   }
   std::stable_sort(of_step.begin(), of_step.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   for (std::size_t n = 0; n < numbers.size(); ++n) by_saving[n] = of_step[n].second;
@@ -125,20 +130,20 @@ std::vector<Config> fit_ends(FitSearch& search, FitCosts& costs, const Config& s
     }
     ends.push_back(end);
   };
-  const auto cheaper = [&](const Config& a, const Config& b) { return costs.of(a) < costs.of(b); };
-  add(descend(search, start, numbers));
-  add(descend(search, start, by_saving));
+  const auto cheaper = [&](const Config& a, const Config& b) { return trials.cost(a) < trials.cost(b); };
+  add(descend(trials, start, numbers));
+  add(descend(trials, start, by_saving));
   Numbers reversed(by_saving.rbegin(), by_saving.rend());
-  add(descend(search, start, reversed));
+  add(descend(trials, start, reversed));
   // A step more of one number, for more of the others.
   Config best = *std::min_element(ends.begin(), ends.end(), cheaper);
   for (bool found = true; found;) {
     found = false;
     for (const ConfigField* number : fit_numbers(best)) {
       const auto more = stepped(best, *number, 1);
-      if (!more || !search.holds(*more)) continue;
+      if (!more || !trials.holds(*more)) continue;
       // Without the hold at the end: the number that was raised may be more than enough now.
-      const Config end = descend(search, descend(search, *more, by_saving, number), by_saving);
+      const Config end = descend(trials, descend(trials, *more, by_saving, number), by_saving);
       add(end);
       if (!cheaper(end, best)) continue;
       best = end, found = true;

@@ -11,6 +11,7 @@
 #include "model/pipeline/engine.hpp"
 #include "study/fit/fit.hpp"
 #include "study/fit/fit_costs.hpp"
+#include "study/fit/fit_steps.hpp"
 
 namespace halfspace::model {
 
@@ -39,8 +40,15 @@ class FitSearch {
   mutable std::size_t failed_ = 0;  // the frame that missed the goal last: it is looked at first
 };
 
+// How a search tells configurations apart.
+struct FitTrials {
+  std::function<bool(const Config&)> holds;
+  std::function<std::array<double, 3>(const Config&)> cost;
+};
 // `c` holds. Every end that was found: nothing can be taken from any, the cheapest first.
-std::vector<Config> fit_ends(FitSearch&, FitCosts&, const Config& c);
+std::vector<Config> fit_ends(const FitTrials&, const Config& c);
+// A step less of a number, or where there is none the number that is refused.
+Config fit_less(const Config&, const ConfigField&);
 
 }  // namespace halfspace::model
 

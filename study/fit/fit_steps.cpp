@@ -15,9 +15,10 @@ constexpr int kMostSquarings = 4;  // log2 of the largest gloss
 constexpr int kLeastReserve = 6;   // bits that a reciprocal has more than what it divides
 
 // In the order in which they are tried.
-constexpr const char* kNumbers[] = {"texels",         "depth_bits",          "colour_bits",     "coordinate_bits",
-                                    "normal_bits",    "subpixel_bits",       "gloss",           "colour_fraction",
-                                    "depth_fraction", "coordinate_fraction", "normal_fraction", "reciprocal_bits"};
+constexpr const char* kNumbers[] = {"texels",          "depth_bits",          "colour_bits",     "coordinate_bits",
+                                    "normal_bits",     "subpixel_bits",       "gloss",           "colour_fraction",
+                                    "depth_fraction",  "coordinate_fraction", "normal_fraction", "vector_range",
+                                    "vector_fraction", "weight_bits",         "reciprocal_bits"};
 
 // The least number of bits that a frame of this size lies in, with the stamps around it.
 int range_bits_for(int width, int height) {
@@ -34,7 +35,7 @@ void give_generous_planes(Config& c) {
   c.colour_fraction = has_colour_planes(c) ? g : 0;
   c.normal_fraction = is_phong(c) ? g : 0;
   c.coordinate_fraction = has_coordinates(c) ? g : 0;
-  const int value = std::max({c.depth_bits, c.colour_bits, normal_plane_bits(c), c.coordinate_bits});
+  const int value = std::max({c.depth_bits, colour_plane_bits(c), normal_plane_bits(c), c.coordinate_bits});
   c.reciprocal_bits = has_planes(c) ? std::max(c.subpixel_bits + g, value + kLeastReserve) : 0;
 }
 
@@ -76,6 +77,22 @@ std::optional<Config> affine(const Config& c) {
   return less;
 }
 
+// Of key frames, in the order of what they read.
+std::optional<Config> simpler_filter(const Config& c) {
+  if (!has_motion(c) || c.filter == KeyFilter::kNearest) return std::nullopt;
+  Config less = c;
+  less.filter = c.filter == KeyFilter::kBilinear ? KeyFilter::kNearest : KeyFilter::kBilinear;
+  return less;
+}
+
+std::optional<Config> without_relight(const Config& c) {
+  if (!relights(c)) return std::nullopt;
+  Config less = c;
+  less.relight = 0;
+  give_generous_planes(less);
+  return less;
+}
+
 }  // namespace
 
 std::vector<const ConfigField*> fit_numbers(const Config& c) {
@@ -101,8 +118,9 @@ std::optional<Config> stepped(const Config& c, const ConfigField& field, int dir
 }
 
 const std::vector<FitUnit>& fit_units() {
-  static const std::vector<FitUnit> units = {
-      {"depth", without_depth}, {"shading", simpler_shading}, {"texture", simpler_texture}, {"mapping", affine}};
+  static const std::vector<FitUnit> units = {{"depth", without_depth},     {"shading", simpler_shading},
+                                             {"texture", simpler_texture}, {"mapping", affine},
+                                             {"filter", simpler_filter},   {"relight", without_relight}};
   return units;
 }
 
@@ -154,6 +172,22 @@ Config generous(const FitScene& scene, const ref::IdealLook& look, const FitNeed
     while (c.texels < std::min(needs.texels, kMostTexels)) c.texels *= 2;
     c.coordinate_bits = 24;
   }
+  give_generous_planes(c);
+  return c;
+}
+
+Config generous_motion(int width, int height, int face_bits, KeyFilter filter) {
+  Config c{"fit"};
+  c.width = width, c.height = height, c.triangles = 1;
+  c.range_bits = range_bits_for(width, height);
+  c.subpixel_bits = 8;
+  c.depth_bits = 24, c.colour_bits = 8, c.lanes = 1;
+  c.shading = Shading::kMotion;
+  c.mapping = TextureMapping::kPerspective;
+  c.coordinate_bits = 24;
+  c.filter = filter;
+  c.vector_range = std::min(13, bits_for(std::max(width, height)));
+  c.vector_fraction = 8, c.weight_bits = 8, c.face_bits = std::min(face_bits, 22), c.relight = 1, c.samples = 1;
   give_generous_planes(c);
   return c;
 }

@@ -34,6 +34,9 @@ FitNeeds fit_needs(const FitScene&, const ref::IdealLook&);
 // More than enough, with f sub-pixel bits, for the look. It may be refused.
 Config generous(const FitScene&, const ref::IdealLook&, const FitNeeds&, int subpixel_bits);
 
+// Likewise of frames between key frames.
+Config generous_motion(int width, int height, int face_bits, KeyFilter filter);
+
 }  // namespace halfspace::model
 
 #endif  // HALFSPACE_STUDY_FIT_FIT_STEPS_HPP_

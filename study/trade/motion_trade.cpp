@@ -73,19 +73,35 @@ std::uint64_t key_frame_bits(const Config& c) {
   return 2 * pixels * std::uint64_t(key_pixel_bits(c));
 }
 
-MotionTrade measure_motion(const MotionInput& input, const Configuration& motion, int lanes) {
-  const Config config = motion.config();
-  const Configuration colour = colour_configuration(motion);
+std::vector<ref::FrameBetween> motion_reference(const MotionInput& input, const Configuration& motion) {
   if (input.last - input.first <= input.between) {
     throw ref::Error(fmt::format("frames {} to {}: two keys and {} in between are more: take more frames", input.first,
                                  input.last, input.between));
   }
+  const ref::UpConversion mode = reference_of(input, colour_configuration(motion), motion.config());
+  std::vector<ref::FrameBetween> frames;
+  ref::Scene first = input.at(input.first / input.rate);
+  for (int key = input.first; key + input.between + 1 <= input.last; key += input.between + 1) {
+    ref::Scene last = input.at((key + input.between + 1) / input.rate);
+    ref::Interval interval(first, last, mode);
+    for (int n = 1; n <= input.between; ++n)
+      frames.push_back(interval.at(input.at((key + n) / input.rate), double(n) / (input.between + 1)));
+    first = std::move(last);
+  }
+  return frames;
+}
+
+MotionTrade measure_motion(const MotionInput& input, const Configuration& motion, int lanes,
+                           const std::vector<ref::FrameBetween>* reference) {
+  const Config config = motion.config();
+  const Configuration colour = colour_configuration(motion);
+  std::vector<ref::FrameBetween> own;
+  if (!reference) own = motion_reference(input, motion), reference = &own;
   KernelUpConverter kernels({input.width, input.height, colour, motion, ref::MotionMethod::kExact, false, lanes});
-  const ref::UpConversion mode = reference_of(input, colour, config);
   const auto scene_of = [&](int frame) { return input.at(frame / input.rate); };
   const double tile_bytes = 64.0 * key_pixel_bits(config) / 8;
   MotionTrade trade;
-  trade.worst_psnr = std::numeric_limits<double>::infinity();
+  trade.worst_psnr = trade.worst_reference_psnr = std::numeric_limits<double>::infinity();
   double squares = 0, reference_squares = 0, key_bytes = 0, word_bytes = 0;
   const double values = 3.0 * input.width * input.height;
   const std::vector<Layout> streams = Compensator(motion).layouts();
@@ -95,18 +111,18 @@ MotionTrade measure_motion(const MotionInput& input, const Configuration& motion
   for (int key = input.first; key + input.between + 1 <= input.last; key += input.between + 1) {
     ref::Scene last = scene_of(key + input.between + 1);
     kernels.set_keys(first, last);
-    ref::Interval interval(first, last, mode);
     for (int n = 1; n <= input.between; ++n) {
       const ref::Scene between = scene_of(key + n);
       const double a = double(n) / (input.between + 1);
       const KernelFrameBetween made = kernels.at(between, a);
-      const ref::FrameBetween exact = interval.at(between, a);
-      const Difference seen = difference(made.colour, exact.rendered), own = difference(made.colour, exact.colour);
+      const ref::FrameBetween& exact = (*reference)[std::size_t(trade.frames)];
+      const Difference seen = difference(made.colour, exact.rendered), rounding = difference(made.colour, exact.colour);
       ++trade.frames;
-      squares += seen.squares, reference_squares += own.squares;
+      squares += seen.squares, reference_squares += rounding.squares;
       trade.worst_psnr = std::min(trade.worst_psnr, decibels(seen.squares, values));
-      trade.wrong_pixels = std::max(trade.wrong_pixels, own.wrong);
-      trade.colour_largest = std::max(trade.colour_largest, own.largest);
+      trade.worst_reference_psnr = std::min(trade.worst_reference_psnr, decibels(rounding.squares, values));
+      trade.wrong_pixels = std::max(trade.wrong_pixels, rounding.wrong);
+      trade.colour_largest = std::max(trade.colour_largest, rounding.largest);
       add(trade.shares, made.shares);
       trade.cycles = std::max<std::uint64_t>(trade.cycles, made.cycles);
       key_bytes += double(made.misses[0] + made.misses[1]) * tile_bytes;
@@ -116,7 +132,7 @@ MotionTrade measure_motion(const MotionInput& input, const Configuration& motion
   }
   trade.psnr = decibels(squares, values * trade.frames);
   trade.reference_psnr = decibels(reference_squares, values * trade.frames);
-  trade.key_bytes = std::uint64_t(key_bytes / trade.frames),
+  trade.key_bytes = std::uint64_t(key_bytes / trade.frames);
   trade.word_bytes = std::uint64_t(word_bytes / trade.frames);
   return trade;
 }

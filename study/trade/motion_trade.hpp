@@ -6,9 +6,11 @@
 
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "model/formats/configuration.hpp"
 #include "ref/motion/compensate.hpp"
+#include "ref/motion/up_convert.hpp"
 #include "ref/scene/scene.hpp"
 
 namespace halfspace::model {
@@ -20,7 +22,7 @@ constexpr int kWrongLsb = 16;
 struct MotionTrade {
   int frames = 0;                   // in between
   double psnr = 0, worst_psnr = 0;  // against the frames as the reference renders them; of the worst of them
-  double reference_psnr = 0;        // against the reference's frames in between, nothing rounded
+  double reference_psnr = 0, worst_reference_psnr = 0;  // against the reference's frames in between, nothing rounded
   // Likewise: pixels off by more than kWrongLsb, of the frame that has the most; and the largest error elsewhere.
   std::uint64_t wrong_pixels = 0;
   int colour_largest = 0;
@@ -37,8 +39,13 @@ struct MotionInput {
   int width = 320, height = 240;
 };
 
+// The frames in between as the reference makes them, with the triangles and the features of a configuration.
+std::vector<ref::FrameBetween> motion_reference(const MotionInput&, const Configuration& motion);
+
 // `motion` is a configuration with motion; its key frames are drawn by colour_configuration() of it. Throws ref::Error.
-MotionTrade measure_motion(const MotionInput&, const Configuration& motion, int lanes);
+// `reference`, unless it is null, takes the place of that of the configuration's own features.
+MotionTrade measure_motion(const MotionInput&, const Configuration& motion, int lanes,
+                           const std::vector<ref::FrameBetween>* reference = nullptr);
 
 // Bits of two key frames.
 std::uint64_t key_frame_bits(const Config& motion);

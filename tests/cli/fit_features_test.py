@@ -115,6 +115,30 @@ def check_costs():
     assert len({row["cycles"] for row in rows.values()}) > 1, "the cost that is named changes nothing"
 
 
+def check_motion():
+    """Frames in between: what is found holds, a step less of each number does not, and the file says what was found."""
+    scene, toml, report = MODELS / CASES["moving"][0], FOLDER / "motion.toml", FOLDER / "motion.json"
+    good("fit", scene, "--camera", "auto", *SIZE, "--keys", 1, "--frames", "0:4", "--rate", 30, "--psnr", 56, "-o",
+         toml, "--json", report, "--work", FOLDER / "motion")
+    found = json.loads(report.read_text())
+    numbers, changes = found["configuration"], [less["change"].split()[0] for less in found["one_bit_less"]]
+    print(f"motion: {numbers['filter']}, vector_fraction {numbers['vector_fraction']}, weight_bits "
+          f"{numbers['weight_bits']}: {found['outcome']['worst_reference_psnr_db']:.2f} dB, {found['proof']['cosim']}")
+    assert found["outcome"]["worst_reference_psnr_db"] >= 56 and found["outcome"]["frames_between"] == 2
+    assert found["proof"]["cosim"]["mismatches"] == 0 < found["proof"]["cosim"]["words"]
+    assert {"vector_fraction", "vector_range", "weight_bits", "filter", "coordinate_bits"} <= set(changes), changes
+    for less in found["one_bit_less"]:
+        assert less["result"].startswith("refused") or float(less["result"].split()[0]) < 56, less
+    out = FOLDER / "sweep_motion"
+    good("sweep", scene, "--camera", "auto", *SIZE, "--config", toml, "--frames", "0:4", "--out", out)
+    with open(out / "sweep.csv", encoding="utf-8") as file:
+        row = next(csv.DictReader(file))
+    assert float(row["memory_bits"]) == found["cost"], (row["memory_bits"], found["cost"])
+    assert abs(float(row["reference_psnr_db"]) - found["proof"]["reference_psnr_db"]) < 1e-9, row
+    still = run("fit", "teapot", "--keys", 1, "--work", FOLDER / "x")
+    assert still.returncode == 1 and "nothing moves" in still.stderr, still.stderr
+
+
 def check_goals():
     for told, holds in ((["--wrong-pixels", 5, "--psnr", 0], lambda proof: proof["wrong_pixels"] <= 5),
                         (["--max-lsb", 3, "--psnr", 0], lambda proof: proof["largest_lsb"] <= 3)):
@@ -138,6 +162,7 @@ def main():
     assert found["phong"]["configuration"]["shading"] == "phong" and found["phong"]["configuration"]["normal_fraction"]
     assert found["textured"]["configuration"]["texels"] and found["lit"]["configuration"]["lights"] == 2
     check_costs()
+    check_motion()
     check_goals()
 
 
