@@ -116,14 +116,27 @@ void replay(Engine& engine, const NamedFrame& frame, const std::vector<std::uint
   }
 }
 
+// Each of one depth, of a few, so that most fragments are as far as what is stored.
+void flatten(std::vector<ref::SnappedTriangle>& triangles, const Config& config) {
+  if (!has_depth(config)) return;
+  for (std::size_t k = 0; k < triangles.size(); ++k) {
+    triangles[k].depth.fill(ref::full_depth(config.depth_bits) - std::uint32_t(k * 7 % 3));
+  }
+}
+
 }  // namespace
 
 void measure_frames(const Configuration& configuration, std::uint64_t seed, BoundsReport& report) {
   const auto engine = make_engine(configuration, configuration.config().lanes);
   std::uint64_t number = 0;
   const Config config = configuration.config();
-  for (NamedFrame& frame : random_frames(raster_format(configuration), seed, 4, 100)) {
+  // Full frames, and ones in which the background is seen.
+  std::vector<NamedFrame> frames = random_frames(raster_format(configuration), seed, 4, 100);
+  for (NamedFrame& frame : random_frames(raster_format(configuration), seed + 1, 4, 4))
+    frames.push_back(std::move(frame));
+  for (NamedFrame& frame : frames) {
     const std::size_t triangles = frame.scene.triangles.size();
+    if (number % 2 == 1) flatten(frame.scene.triangles, config);
     if (has_lighting(config)) frame.lighting = awkward_normals(triangles, config, seed);
     if (has_texture(config)) frame.texture = awkward_coordinates(triangles, config, seed);
     if (has_motion(config)) frame.motion = awkward_motion(frame.scene, config, seed);

@@ -161,6 +161,13 @@ class RuntimeProbe : public KernelProbe {
     activate();
     return plain_motion<F>(motion_pixel<F>(b_->motion.planes[0], x, y));
   }
+  std::array<int, 3> normal(int x, int y) override {
+    activate();
+    const NormalPlanes<F>& n = b_->normals.planes[0];
+    std::array<int, 3> out;
+    for (int c = 0; c < 3; ++c) out[c] = int(raw(normal_component<F>(n.start[c], n.dx[c], n.dy[c], x, y)));
+    return out;
+  }
   std::array<std::uint32_t, 3> lit(int x, int y) override {
     activate();
     s_.scan.write(scan_of(x, y));

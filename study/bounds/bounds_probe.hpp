@@ -93,6 +93,8 @@ class KernelProbe {
   // Where a pixel of the triangle lies in its texture, as if that were `texture`.
   virtual ProbedPlace place(const RawTexture& texture, int x, int y) = 0;
   virtual RawMotion motion(int x, int y) = 0;
+  // The normal of a pixel of the triangle, with Phong shading.
+  virtual std::array<int, 3> normal(int x, int y) = 0;
   // The colour of a pixel of the triangle before texture, and as the picture has it.
   virtual std::array<std::uint32_t, 3> lit(int x, int y) = 0;
   virtual std::array<std::uint32_t, 3> shown(int x, int y) = 0;

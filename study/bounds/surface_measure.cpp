@@ -50,6 +50,7 @@ class SurfaceMeter : public FeatureMeter {
         see(kShown, shown[std::size_t(c)], want, m.at(x, y));
       }
     }
+    if (is_phong(config_)) measure_worst_light(m);
   }
 
  private:
@@ -64,14 +65,52 @@ class SurfaceMeter : public FeatureMeter {
     }
   }
 
+  // Of the pixel whose normal is turned most, under the light that tells most of it: at right angles to the normal but
+  // for what it would graze, its highlight where the power is steepest, both to the side that the normal is turned to.
+  void measure_worst_light(const MeasuredTriangle& m) {
+    const std::size_t step = std::max<std::size_t>(1, m.pixels.size() / kPixels);
+    glm::dvec3 normal(0), turn(0);
+    int x = -1, y = -1;
+    for (std::size_t n = 0; n < m.pixels.size(); n += step) {
+      const RealNormal real = exact_normal(m, m.pixels[n].x, m.pixels[n].y);
+      const glm::dvec3 exact(real[0], real[1], real[2]);
+      const double length = glm::length(exact);
+      if (length < std::ldexp(0.5, config_.normal_bits)) continue;
+      const Triple got = probe_.normal(m.pixels[n].x, m.pixels[n].y);
+      const glm::dvec3 off = (glm::dvec3(got[0], got[1], got[2]) - exact) / length, way = exact / length;
+      const glm::dvec3 across = off - glm::dot(off, way) * way;
+      if (glm::length(across) > glm::length(turn)) turn = across, normal = way, x = m.pixels[n].x, y = m.pixels[n].y;
+    }
+    if (x < 0 || turn == glm::dvec3(0)) return;
+    const glm::dvec3 side = glm::normalize(turn);
+    const double chord = value(white_phong(config_).chord), power = std::ldexp(1.0, exact_log2(config_.gloss));
+    const double steepest = std::max(std::sqrt((power - 1) / power), 0.1), along = std::min(1.3 * chord + 1e-4, 0.5);
+    const RawLight light = frame_.lights[0];
+    frame_.lights[0] = {direction(side + along * normal),
+                        direction(std::sqrt(1 - steepest * steepest) * side + steepest * normal)};
+    normals_.material = std::min(2, int(frame_.materials.size()) - 1);
+    probe_.load(frame_);
+    probe_.give(normals_);
+    const std::array<std::uint32_t, 3> lit = probe_.lit(x, y), shown = probe_.shown(x, y);
+    for (int c = 0; c < 3; ++c) {
+      see(kPhongColour, lit[std::size_t(c)], surface(m, c, x, y), m.at(x, y));
+      see(kShown, shown[std::size_t(c)], has_texture(config_) ? textured(m, c, x, y) : surface(m, c, x, y), m.at(x, y));
+    }
+    frame_.lights[0] = light;
+    probe_.load(frame_);
+  }
+
   // Words.
+  Triple direction(const glm::dvec3& way) const {
+    const glm::dvec3 v = glm::normalize(way);
+    const int one = 1 << (cosine_fraction(config_) + 1);
+    Triple out;
+    for (int c = 0; c < 3; ++c) out[std::size_t(c)] = std::min(int(std::lround(v[c] * one)), one - 1);
+    return out;
+  }
   Triple unit(std::mt19937_64& random) const {
     std::normal_distribution<double> gauss;
-    const glm::dvec3 v = glm::normalize(glm::dvec3(gauss(random), gauss(random), gauss(random)) + glm::dvec3(1e-9));
-    const int way = 1 << (cosine_fraction(config_) + 1);
-    Triple out;
-    for (int c = 0; c < 3; ++c) out[std::size_t(c)] = std::min(int(std::lround(v[c] * way)), way - 1);
-    return out;
+    return direction(glm::dvec3(gauss(random), gauss(random), gauss(random)) + glm::dvec3(1e-9));
   }
   // Materials of one white light, of its highlight, of both; the last is of any.
   void load_lights(std::mt19937_64& random) {
@@ -100,19 +139,21 @@ class SurfaceMeter : public FeatureMeter {
     const int limit = 1 << config_.normal_bits;
     RawNormals out;
     out.material = int(random() % frame_.materials.size());
-    const std::uint64_t kind = random() % 6;
+    const std::uint64_t kind = random() % 8;
     auto any = [&] { return int(random() % std::uint64_t(2 * limit)) - limit; };
-    for (int v = 0; v < 3; ++v) {
+    for (std::size_t v = 0; v < 3; ++v) {
       const Triple way = unit(random);
       for (std::size_t c = 0; c < 3; ++c) {
-        const int long_one =
-            std::clamp(way[c] >> (cosine_fraction(config_) + 1 - config_.normal_bits), -limit, limit - 1);
+        // From 4 on hardly apart, from 6 on hardly longer than a half.
+        const int places = cosine_fraction(config_) + 1 - config_.normal_bits;
+        const int long_one = std::clamp(way[c] >> places, -limit, limit - 1), short_one = long_one / 2 + long_one / 64;
         const int near = std::clamp(out.normals[0][c] + int(random() % 9) - 4, -limit, limit - 1);
-        out.normals[std::size_t(v)][c] = kind == 0                           ? any()
-                                         : kind == 1 && v > 0                ? std::min(-out.normals[0][c], limit - 1)
-                                         : kind == 2                         ? (random() % 2 ? limit - 1 : -limit)
-                                         : v > 0 && (kind == 3 || kind == 4) ? near
-                                                                             : long_one;
+        out.normals[v][c] = kind == 0            ? any()
+                            : kind == 1 && v > 0 ? std::min(-out.normals[0][c], limit - 1)
+                            : kind == 2          ? (random() % 2 ? limit - 1 : -limit)
+                            : kind >= 4 && v > 0 ? near
+                            : kind >= 6          ? short_one
+                                                 : long_one;
       }
     }
     return out;
@@ -177,12 +218,16 @@ class SurfaceMeter : public FeatureMeter {
   Dyadic reach(const MeasuredTriangle& m, int x, int y) const {
     return {std::llabs(m.exact.dx(x)) + std::llabs(m.exact.dy(y)), -config_.subpixel_bits};
   }
-  Channel phong(const MeasuredTriangle& m, int c, int x, int y, double distance) const {
+  RealNormal exact_normal(const MeasuredTriangle& m, int x, int y) const {
     RealNormal n{};
     for (std::size_t i = 0; i < 3; ++i) {
       n[i] = m.exact.quotient(
           m.exact.in_order({normals_.normals[0][i], normals_.normals[1][i], normals_.normals[2][i]}), x, y);
     }
+    return n;
+  }
+  Channel phong(const MeasuredTriangle& m, int c, int x, int y, double distance) const {
+    const RealNormal n = exact_normal(m, x, y);
     const PhongBound bound = phong_bound(frame_, normals_.material, n, c, distance, config_);
     const ExactLight exact = exact_light(frame_, normals_.material, n, c, config_);
     const long double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
