@@ -328,7 +328,7 @@ void add_fit(CLI::App& app, int&) {
       "  halfspace fit cube --size 160x120 --psnr 45 --area none -o cube.toml\n"
       "  halfspace fit teapot --views 4 --size 320x240 --area none --no-cosim  from four sides\n"
       "  halfspace fit drone --frames 0:4 --size 160x120 --max-lsb 2 --area none -o drone.toml\n"
-      "  halfspace fit duck.dae --size 160x120 --psnr 35 --cost bytes --area none -o duck.toml   with its texture\n"
+      "  halfspace fit cube_fast --frames 0:2 --size 160x120 --texture bilinear --psnr 35 --area none -o brick.toml\n"
       "  halfspace fit teapot --size 160x120 --shading phong --psnr 38 --area none -o phong.toml  lit by the hardware\n"
       "  halfspace fit drone --keys 1 --frames 0:4 --size 96x72 --psnr 50 --no-cosim -o motion.toml  frames in "
       "between\n"

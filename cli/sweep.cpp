@@ -89,7 +89,7 @@ void add_sweep(CLI::App& app, int& status) {
       "  halfspace sweep teapot castle --size 320x200 --vary subpixel_bits=2..11 --out sweep\n"
       "  halfspace sweep teapot --size 320x200 --star --no-named --vary lanes=1,4 --area xilinx --jobs 2 --out area\n"
       "  halfspace sweep teapot --size 160x120 --vary lights=1 --vary shading=gouraud,phong --vary normal_bits=9,13\n"
-      "  halfspace sweep duck.dae --size 160x120 --vary texture=nearest,bilinear --vary texels=1024,65536\n"
+      "  halfspace sweep cube_fast --size 160x120 --vary texture=nearest,bilinear --vary texels=64,1024\n"
       "All combinations of the values, or with --star one number at a time from the base. A combination that cannot be "
       "built is\n"
       "listed with its reason. Written: OUT/sweep.csv, sweep.json and plots; each point has a file in OUT/points, so "

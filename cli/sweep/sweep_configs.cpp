@@ -48,7 +48,8 @@ void settle(SweepConfig& config) {
   usual(c.normal_bits, has_lighting(c), 13);
   usual(c.materials, has_lighting(c), 512);
   if (!has_lighting(c)) c.gloss = 0;
-  if (has_texture(c) && c.texels == 0 && !config.asked.count("mapping")) c.mapping = TextureMapping::kPerspective;
+  const bool has_no_numbers = c.texels == 0 || c.textures == 0 || c.coordinate_bits == 0 || c.coordinate_fraction == 0;
+  if (has_texture(c) && has_no_numbers && !config.asked.count("mapping")) c.mapping = TextureMapping::kPerspective;
   usual(c.texels, has_texture(c), 65536);
   usual(c.textures, has_texture(c), 32);
   if (!has_coordinates(c)) c.mapping = TextureMapping::kAffine;

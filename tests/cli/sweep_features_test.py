@@ -122,6 +122,13 @@ class Features(unittest.TestCase):
         found = {name: [int(rows[name][number]) for number in numbers] for name in rows}
         self.assertEqual(found, {"": [0, 0, 0, 0, 14], "texturenearest": [0, 0, 65536, 16, 14],
                                  "lights1": [1, 13, 0, 0, 14], "shadingflat": [0, 0, 0, 0, 0]})
+        # In perspective, also where one of them is given.
+        good("sweep", "cube_fast", *SIZE, "--vary", "texture=bilinear", "--vary", "texels=64,1024", "--out",
+             self.root / "bricks")
+        with open(self.root / "bricks" / "sweep.csv", encoding="utf-8") as file:
+            few, many = csv.DictReader(file)
+        self.assertEqual((few["mapping"], many["mapping"]), ("perspective", "perspective"))
+        self.assertLess(float(few["psnr_db"]) + 5, float(many["psnr_db"]))
 
     def test_motion(self):
         vary = ["vector_fraction=1,4,8", "weight_bits=2,8", "filter=nearest,bilinear,area,bicubic",
