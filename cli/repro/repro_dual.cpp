@@ -30,11 +30,17 @@ struct Counted {
 struct Type {
   const char* name;
   Operations (*of)(const TriangleCounts&);
-  const char* formula;
 };
-constexpr Type kTypes[] = {{"type I", model::type_1, "3·[a·(12 + 5 + 12) + b·34]"},
-                           {"type II", model::type_2, "3·a·(12 + 5 + 12 + 34)"},
-                           {"dual", model::dual, "3·[a·(12 + 5) + c·(12 + 34)]"}};
+constexpr Type kTypes[] = {{"type I", model::type_1}, {"type II", model::type_2}, {"dual", model::dual}};
+
+// Multiplications of a type, from those of the operations.
+std::string formula_of(const Type& type) {
+  const std::uint64_t view = model::kViewing.multiplications, perspective = model::kPerspective.multiplications,
+                      light = model::kLighting.multiplications;
+  if (type.of == model::type_1) return fmt::format("3·[a·({} + {} + {}) + b·{}]", view, perspective, view, light);
+  if (type.of == model::type_2) return fmt::format("3·a·({} + {} + {} + {})", view, perspective, view, light);
+  return fmt::format("3·[a·({} + {}) + c·({} + {})]", view, perspective, view, light);
+}
 
 double cost(const Operations& operations) { return double(operations.cost()); }
 std::string thousands(double number) { return grouped(std::uint64_t(number / 1e3 + 0.5)) + "k"; }
@@ -66,7 +72,7 @@ Table table_of_counts(const std::vector<Counted>& models) {
 
 Table table_of_operations(const std::vector<Counted>& models) {
   std::string formulas;
-  for (const Type& type : kTypes) formulas += fmt::format("\n  {:<8} MUL = {}", type.name, type.formula);
+  for (const Type& type : kTypes) formulas += fmt::format("\n  {:<8} MUL = {}", type.name, formula_of(type));
   Table table{
       "operations",
       "Operations. A vertex takes 12 MUL and 9 ADD to transform its position, 5 and 1 for the perspective, 12 "

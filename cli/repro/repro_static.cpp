@@ -11,6 +11,7 @@
 #include "cli/common/numbers.hpp"
 #include "cli/common/output.hpp"
 #include "cli/common/progress.hpp"
+#include "cli/common/table.hpp"
 #include "cli/plots/gnuplot.hpp"
 #include "cli/plots/picture.hpp"
 #include "study/papers/static_experiment.hpp"
@@ -25,6 +26,7 @@ using model::Spread;
 struct ReproStaticOptions {
   model::StaticExperimentOptions experiment;
   std::string out, json;
+  TableOptions tables;
 };
 
 struct MethodName {
@@ -85,28 +87,70 @@ Json all_json(const ReproStaticOptions& o, const model::StaticExperiment& e) {
   return json;
 }
 
-void print(const ReproStaticOptions& o, const model::StaticExperiment& e) {
+// What the paper prints of 120 that move. With the query it has first one S-buffer, then "6 extra", and does not say of
+// which its number is.
+constexpr int kPrintedMoving = 120;
+struct PrintedStatic {
+  const char* method;
+  double objects, frames_a_second;
+};
+constexpr PrintedStatic kPrintedStatic[] = {{"printed: S-buffer, no query", 460, 68},
+                                            {"printed: query, one S-buffer or 7", 130, 140}};
+
+Table table_of_objects(const ReproStaticOptions& o, const model::StaticExperiment& e) {
   const auto& x = o.experiment;
-  fmt::print(
-      "{} objects, {} triangles, {} of them handed over in the first frame, which takes {:.1f} s; {}x{} in {}, {} "
-      "lanes; seed {}\n"
-      "Mean and standard deviation of {} frames, of {} where everything is drawn. The paper, 120 moving: 460 objects "
-      "drawn a frame\n"
-      "without the query, 130 with it and 7 S-buffers.\n\n"
-      "{:>6} {:<20} {:>9} {:>9} {:>8} {:>8} {:>8} {:>10} {:>9} {:>9} {:>10} {:>9}\n",
-      x.crowd.objects, e.triangles, e.handed, e.first_seconds[1], x.width, x.height, x.config, x.lanes, x.crowd.seed,
-      x.frames, x.full_frames, "moving", "method", "objects", "+-", "most", "starts", "updates", "Mtriangles",
-      "Mcycles", "+-", "ms", "+-");
+  Table table{
+      "objects",
+      fmt::format("{} objects, {} triangles, {} of them handed over in the first frame; {}x{} in {}, {} lanes; "
+                  "seed {}\n"
+                  "Mean and standard deviation of {} frames, of {} where everything is drawn. The paper: 40,000 "
+                  "objects, 120 moving. Its 130 objects\n"
+                  "a frame with the query are of one S-buffer, or of 7: its text allows either; both are here",
+                  x.crowd.objects, e.triangles, e.handed, x.width, x.height, x.config, x.lanes, x.crowd.seed, x.frames,
+                  x.full_frames),
+      {{"moving", "method", "objects", "+-", "most", "starts", "updates", "Mtriangles", "Mcycles", "+-"}}};
+  for (const PrintedStatic& p : kPrintedStatic)
+    table.rows.push_back(
+        {std::to_string(kPrintedMoving), p.method, fmt::format("{}", p.objects), "", "", "", "", "", "", ""});
   for (const model::StaticStep& step : e.steps) {
     for (std::size_t m = 0; m < model::kStaticMethods; ++m) {
       const MethodFrames& f = step.methods[m];
       if (f.drawn.count() == 0) continue;
-      fmt::print("{:>6} {:<20} {:>9.1f} {:>9.1f} {:>8.0f} {:>8} {:>8} {:>10.3f} {:>9.2f} {:>9.2f} {:>10.1f} {:>9.1f}\n",
-                 step.moving, method_text(m, x.buffers), f.drawn.mean(), f.drawn.deviation(), f.drawn.largest(),
-                 f.starts, f.updates, f.triangles.mean() / 1e6, f.cycles.mean() / 1e6, f.cycles.deviation() / 1e6,
-                 f.milliseconds.mean(), f.milliseconds.deviation());
+      const bool updates = m != std::size_t(model::StaticMethod::kAll);
+      table.rows.push_back(
+          {fmt::format("{}", step.moving), method_text(m, x.buffers), fmt::format("{:.1f}", f.drawn.mean()),
+           fmt::format("{:.1f}", f.drawn.deviation()), fmt::format("{:.0f}", f.drawn.largest()),
+           updates ? fmt::format("{}", f.starts) : "", updates ? fmt::format("{}", f.updates) : "",
+           fmt::format("{:.3f}", f.triangles.mean() / 1e6), fmt::format("{:.2f}", f.cycles.mean() / 1e6),
+           fmt::format("{:.2f}", f.cycles.deviation() / 1e6)});
     }
   }
+  return table;
+}
+
+Table table_of_frame_times(const ReproStaticOptions& o, const model::StaticExperiment& e) {
+  Table table{"time",
+              fmt::format("Time of a frame, ms, one thread of the reference; the first frame took {:.1f} s",
+                          e.first_seconds[1]),
+              {{"moving", "method", "ms", "+-", "frames a second"}}};
+  for (const PrintedStatic& p : kPrintedStatic)
+    table.rows.push_back({std::to_string(kPrintedMoving), p.method, "", "", fmt::format("{:.1f}", p.frames_a_second)});
+  for (const model::StaticStep& step : e.steps) {
+    for (std::size_t m = 0; m < model::kStaticMethods; ++m) {
+      const MethodFrames& f = step.methods[m];
+      if (f.drawn.count() == 0) continue;
+      table.rows.push_back({fmt::format("{}", step.moving), method_text(m, o.experiment.buffers),
+                            fmt::format("{:.1f}", f.milliseconds.mean()),
+                            fmt::format("{:.1f}", f.milliseconds.deviation()),
+                            fmt::format("{:.1f}", 1000 / f.milliseconds.mean())});
+    }
+  }
+  return table;
+}
+
+void print(const ReproStaticOptions& o, const model::StaticExperiment& e) {
+  print_tables({table_of_objects(o, e), table_of_frame_times(o, e)}, o.tables);
+  if (!o.tables.only.empty()) return;
   fmt::print("\n{} pixels compared with those of drawing everything, none differs. {:.0f} MB of memory at most.\n",
              e.compared, largest_memory_mb());
 }
@@ -119,6 +163,9 @@ std::string plot(const Json& json, const std::string& folder) {
       "set grid lt 1 lw 0.5 lc rgb '#cccccc'\nset key left top\nset xlabel 'objects that move'\n"
       "set xrange [0:{}]\nset yrange [0:*]\n",
       json["steps"].back()["moving"].get<int>() * 1.05 + 1);
+  script += "$printed << EOD\n";
+  for (const PrintedStatic& p : kPrintedStatic) script += fmt::format("{} {}\n", kPrintedMoving, p.objects);
+  script += "EOD\n";
   for (std::size_t m = 1; m < model::kStaticMethods; ++m) {
     script += fmt::format("$m{} << EOD\n", m);
     for (const Json& row : json["steps"]) {
@@ -136,6 +183,8 @@ std::string plot(const Json& json, const std::string& folder) {
       script += fmt::format("{} $m{} using 1:{} with linespoints lw 2 pt 7 lc rgb '{}' title {}", m == 1 ? "" : ",", m,
                             column, kMethods[m].colour, gnuplot_quoted(method_text(m, json["buffers"].get<int>())));
     }
+    if (column == 2 && json["steps"].back()["moving"] == kPrintedMoving)
+      script += ", $printed using 1:2 with points pt 8 ps 2 lc rgb 'black' title 'printed'";
     script += "\n";
   }
   run_gnuplot(script + "unset multiplot\n", picture);
@@ -194,6 +243,7 @@ void add_repro_static(CLI::App& repro) {
       ->check(CLI::IsMember({1, 2, 4, 8, 16}));
   add_output_folder(paper, "--out", options->out, "folder for the plot and the last picture");
   add_json(paper, options->json);
+  add_table_options(paper, options->tables, {"objects", "time"});
   paper->callback([options] {
     if (!options->out.empty()) model::make_folder(options->out);
     run(*options);

@@ -137,6 +137,7 @@ class Repro(unittest.TestCase):
             for name in ("static_objects", "crowd"):
                 self.assertGreater((pathlib.Path(folder) / f"{name}.png").stat().st_size, 5000)
         self.assertIn("seed 7", text)
+        self.check_table_of_static_objects(report, text)
         self.assertEqual(report["triangles"], 300 * 4512)
         self.assertEqual(report["compared_pixels"], 2 * 2 * 3 * 160 * 120)
         self.assertLess(report["memory_mb"], 4096)
@@ -158,6 +159,21 @@ class Repro(unittest.TestCase):
             self.assertLess(many["redrawn"]["largest"], plain["redrawn"]["largest"])
             skipped += query["starts"] - query["updates"]
         self.assertGreater(skipped, 10)
+
+    def check_table_of_static_objects(self, report, text):
+        # The paper's numbers, and both readings of the second: one S-buffer, and all of them.
+        self.assertRegex(text, r"120 +printed: S-buffer, no query +460\n")
+        self.assertRegex(text, r"120 +printed: query, one S-buffer or 7 +130\n")
+        for name, key in (("S-buffer, no query", "no_query"), ("S-buffer, query", "query"),
+                          ("7 S-buffers, query", "query_many")):
+            for step in report["steps"]:
+                row = re.search(rf"^ +{step['moving']}  {name} +([\d.]+) +([\d.]+) +(\d+) +(\d+) +(\d+) ", text,
+                                re.MULTILINE)
+                self.assertIsNotNone(row, (name, step["moving"]))
+                drawn = step[key]["objects_drawn"]
+                self.assertEqual(row.groups(), (f"{drawn['mean']:.1f}", f"{drawn['deviation']:.1f}",
+                                                f"{drawn['largest']:.0f}", str(step[key]["starts"]),
+                                                str(step[key]["updates"])))
 
     def test_up_conversion(self):
         with tempfile.TemporaryDirectory() as folder:
