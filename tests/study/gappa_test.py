@@ -121,7 +121,7 @@ class Proofs(unittest.TestCase):
                 "shade_texture_place": [("rho in [-1b-18", "rho in [-1b-16"), ("q - Q in [-", "q - Q in [-1"),
                                         ("Q in [1b23", "Q in [1b22"), ("fixed<-8,dn>", "fixed<-7,dn>")],
                 "shade_texture_filter": [("nu>", "dn>"), ("fixed<-8", "fixed<-7")],
-                "shade_texture_product": [("fixed<0,dn>(P", "fixed<1,dn>(P"), ("fixed<0,nu>", "fixed<0,dn>")],
+                "shade_texture_product": [("fixed<0,dn>(P", "fixed<2,dn>(P"), ("fixed<0,nu>", "fixed<0,dn>")],
                 "motion_field_vector": [("fixed<-6,nu>", "fixed<-6,dn>"), ("fixed<-6,nu>", "fixed<-5,nu>"),
                                         ("s - S in [-", "s - S in [-1")],
                 "motion_compensate_weight": [("c = fixed<-8,nu>", "c = fixed<-8,dn>"),
