@@ -2,6 +2,7 @@
 // halfspace vectors
 #include <fmt/format.h>
 
+#include <cctype>
 #include <memory>
 
 #include "cli/commands.hpp"
@@ -16,6 +17,7 @@
 #include "vectors/frames/extremes.hpp"
 #include "vectors/frames/features/feature_extremes.hpp"
 #include "vectors/frames/static_sequence.hpp"
+#include "vectors/staging.hpp"
 #include "vectors/standard_set.hpp"
 #include "vectors/vector_set.hpp"
 
@@ -30,7 +32,7 @@ struct VectorsOptions {
   int lanes = 0;  // 0: those of the configuration
   std::string out, json;
   std::uint64_t seed = 1;
-  bool corners = true, compensation = false;
+  bool corners = true, compensation = false, sv = false;
   int random = 4, random_triangles = 60;
   int frames = 20, buffers = 1, objects = 8;
   bool query = true;
@@ -51,6 +53,54 @@ void add_normals(const VectorsOptions& options, const model::Configuration& conf
   }
 }
 
+// "two_words" is TwoWords.
+std::string camel(const std::string& snake) {
+  std::string out;
+  bool begins = true;
+  for (const char c : snake) {
+    if (c == '_' || c == '.') {
+      begins = true;
+      continue;
+    }
+    out += begins ? char(std::toupper(static_cast<unsigned char>(c))) : c;
+    begins = false;
+  }
+  return out;
+}
+
+// Constants of a set for a bench without a harness, to be included in a module: of each stream the bits of a word, how
+// many words, and where those of a frame begin; of each field where it lies in a word.
+void write_sv(const std::string& path, const Json& manifest) {
+  std::string text = fmt::format(
+      "// Of the vectors of scene {}, configuration {}: words of {} frames.\nlocalparam integer Frames = {};\n",
+      manifest["scene"].get<std::string>(), manifest["config"].get<std::string>(), manifest["frames"].size(),
+      manifest["frames"].size());
+  for (const Json& stream : manifest["streams"]) {
+    const std::string name = stream["name"], prefix = camel(name);
+    text += fmt::format("\n// {}: {} to {}\nlocalparam integer {}Bits = {}, {}Words = {};\n", name,
+                        stream["from"].get<std::string>(), stream["to"].get<std::string>(), prefix,
+                        stream["bits"].get<int>(), prefix, stream["words"].get<std::size_t>());
+    for (const Json& field : stream["fields"]) {
+      const std::string of_field = prefix + camel(field["name"]);
+      text +=
+          fmt::format("localparam integer {}Lsb = {}, {}Width = {}, {}Count = {};\n", of_field, field["lsb"].get<int>(),
+                      of_field, field["width"].get<int>(), of_field, field["count"].get<int>());
+    }
+    text += fmt::format(
+        "// Its first word of a frame; of frame Frames how many there are.\nfunction integer {}_begin(input integer "
+        "frame);\n  case (frame)\n",
+        name);
+    std::size_t begin = 0;
+    int frame = 0;
+    for (const Json& words : stream["frame_words"]) {
+      text += fmt::format("    {}: {}_begin = {};\n", frame++, name, begin);
+      begin += words.get<std::size_t>();
+    }
+    text += fmt::format("    default: {}_begin = {};\n  endcase\nendfunction\n", name, begin);
+  }
+  model::write_file(path, text);
+}
+
 void tell(const VectorsOptions& options, const model::Configuration& configuration, const std::string& manifest) {
   const Json json = Json::parse(manifest);
   std::size_t words = 0;
@@ -58,6 +108,7 @@ void tell(const VectorsOptions& options, const model::Configuration& configurati
   fmt::print("vectors {} {}: {} frames, {} streams, {} words in {}\n", options.input.scene, configuration.name(),
              json["frames"].size(), json["streams"].size(), words, options.out);
   write_json(options.json, json);
+  if (options.sv) write_sv(options.out + "/vectors.svh", json);
 }
 
 // A frame between two keys of a scene, as the kernels draw these.
@@ -238,6 +289,8 @@ void add_vectors(CLI::App& app, int&) {
       ->capture_default_str()
       ->check(above_zero());
   command->add_flag("--query,!--no-query", options->query, "of `static`: an S-buffer is asked before it is changed");
+  command->add_flag("--sv", options->sv,
+                    "OUT/vectors.svh as well, constants for a bench of your own: bits, words, frames, fields");
   add_json(command, options->json, "a copy of the manifest");
   command->callback([options] { write_vectors(*options); });
 }

@@ -11,7 +11,7 @@ import sys
 from pasting import copy_of, paste, strewn
 
 README_LINES = 5
-PAGES = ["docs/using.md", "docs/vectors.md"]
+PAGES = ["docs/using.md", "docs/vectors.md", "examples/own_unit/README.md"]
 # Installs packages and builds all: what runs this test has done so.
 LEFT_OUT = re.compile(r"^make ")
 LONG = re.compile(r"halfspace fit ")
