@@ -12,6 +12,7 @@
 #include "ref/error.hpp"
 #include "ref/geometry/geometry.hpp"
 #include "ref/raster/ideal.hpp"
+#include "ref/raster/ideal_scene.hpp"
 #include "ref/scene/scene.hpp"
 #include "study/trade/trade.hpp"
 
@@ -97,6 +98,34 @@ TEST(Ideal, KeepsASliverBetweenItsVertices) {
   EXPECT_GE(covered, 20);
   list.triangles[0][1].x = 200000;
   EXPECT_THROW(ref::ideal(list), ref::Error);
+}
+
+// Of a scene: as its triangles come lit; on flat faces a pixel is lit as a vertex is, and on round ones it is not; what
+// bricks multiply is what is there without them.
+TEST(Ideal, OfASceneHasItsLightsAndTextures) {
+  const ref::View view = ref::ideal_view(120, 90);
+  const auto largest = [](const IdealFrame& a, const IdealFrame& b) {
+    double error = 0;
+    for (std::size_t n = 0; n < a.colour.size(); ++n) {
+      for (int c = 0; c < 3; ++c) error = std::max(error, std::abs(a.colour[n][c] - b.colour[n][c]));
+    }
+    return error;
+  };
+  const ref::IdealLook given{}, vertices{ref::ShadingMode::kGouraud, true}, pixels{ref::ShadingMode::kPhong, true},
+      flat{ref::ShadingMode::kFlat, true};
+  const ref::Scene teapot = ref::load_scene("teapot"), cube = ref::load_scene("cube");
+  EXPECT_LT(largest(ref::ideal(teapot, view, given), ref::ideal(ref::project(teapot, view))), 1e-9);
+  EXPECT_LT(largest(ref::ideal(cube, view, vertices), ref::ideal(cube, view, pixels)), 1e-9);
+  EXPECT_LT(largest(ref::ideal(cube, view, vertices), ref::ideal(cube, view, flat)), 1e-9);
+  EXPECT_GT(largest(ref::ideal(teapot, view, vertices), ref::ideal(teapot, view, pixels)), 20);
+  const ref::Scene bricks = ref::load_scene("cube_fast", 0, {true});
+  ref::IdealLook textured{};
+  textured.texture = ref::TextureFilter::kBilinear;
+  const IdealFrame lit = ref::ideal(bricks, view, given), shown = ref::ideal(bricks, view, textured);
+  EXPECT_GT(largest(lit, shown), 20);
+  for (std::size_t n = 0; n < lit.colour.size(); ++n) {
+    for (int c = 0; c < 3; ++c) ASSERT_LE(shown.colour[n][c], lit.colour[n][c] + 1e-9);
+  }
 }
 
 // A face has one number whatever the view culls or clips before it.
