@@ -7,6 +7,8 @@
 
 using namespace halfspace;
 
+static_assert(TopFormats::kHasMotion, "motion_field is of configurations with motion");
+
 namespace {
 
 void compensate_process(MemoryWord<TopKeyBlock> key_frame_0[KeyMemory<TopFormats>::kWords],

@@ -5,6 +5,8 @@
 
 using namespace halfspace;
 
+static_assert(TopFormats::kHasMotion, "motion_field is of configurations with motion");
+
 namespace {
 
 class BackMotion {

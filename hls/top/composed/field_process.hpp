@@ -11,7 +11,6 @@ namespace halfspace {
 inline void field_process(MemoryWord<MotionPlanes> database[MotionDatabase<TopFormats>::kWords], Port<Scan>& scan,
                           Port<Motion>& motion) {
   using F = TopFormats;
-  static_assert(F::kHasMotion, "motion_field is of configurations with motion");
   MotionDatabase<F> view = {Words<MotionPlanes<F>>(database)};
   View<Scan> scan_words(scan);
   View<Motion> motion_words(motion);
