@@ -120,9 +120,14 @@ To:
 }
 
 // The N × N pixels from (column, row) of the key frame on, of which the cache holds the tiles: one of each bank, and
-// then turned until (i, j) of them is at (i, j).
+// then turned until (i, j) of them is at (i, j). Where the filter takes the first alone, that one alone.
 template <class F, int N>
 void read_cache(const KeyCache<F, N>& cache, int column, int row, KeyPixel<F> (&pixel)[N][N]) {
+  if (F::kFilter == KeyFilter::kNearest) {
+    const int bank = N * (row & (N - 1)) + (column & (N - 1));
+    pixel[0][0] = cache.bank[bank][bank_address<N>(column, row)];
+    return;
+  }
 BankRows:
   for (int j = 0; j < N; ++j) {
     HS_UNROLL

@@ -24,9 +24,13 @@ struct KeyMemory {
   HS_INLINE void request(const KeyRequest<F>& tile) {
     at = (int(raw(tile.tile_y)) * tiles_x + int(raw(tile.tile_x))) * kBlocks;
   }
-  HS_INLINE TopKeyBlock<F> read() { return blocks[at++]; }
+  HS_INLINE TopKeyBlock<F> read() {
+    const TopKeyBlock<F> block = blocks[at];
+    at = at + 1;
+    return block;
+  }
 
-  Words<TopKeyBlock<F>> blocks;
+  const Words<TopKeyBlock<F>> blocks;
   int tiles_x;
   int at;
 };
