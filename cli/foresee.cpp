@@ -10,18 +10,15 @@
 #include "cli/common/output.hpp"
 #include "cli/common/sequence.hpp"
 #include "cli/plots/gnuplot.hpp"
+#include "cli/repro/repro_frames.hpp"
 #include "ref/error.hpp"
 #include "ref/motion/quality.hpp"
 
 namespace halfspace::cli {
 namespace {
 
-// Those that stand for the paper's.
-const std::vector<std::string> kAnimations{"drone",        "jet",          "cube_zoom",    "cube_fast",  "cube_slow",
-                                           "pyramid_fast", "pyramid_slow", "wheel_in_out", "wheel_turn", "ring_fall"};
-
 struct ForeseeOptions {
-  std::vector<std::string> scenes = kAnimations;
+  std::vector<std::string> scenes = paper_animations();
   std::string size = "320x240", keys = "1:4", plot, json;
 };
 

@@ -137,7 +137,7 @@ void run_static(const StaticOptions& options) {
   ref::Scene scene = scene_at(0);
   const int lanes = options.lanes ? options.lanes : config.lanes;
   model::StaticFrames method(scene, {configuration, lanes, size.width, size.height, options.buffers, options.query, 0});
-  Pipeline of_method(configuration, lanes), of_all(configuration, lanes);
+  Pipeline pipeline(configuration, lanes);
   std::unique_ptr<FrameWriter> film;
   if (!options.output.empty())
     film = std::make_unique<FrameWriter>(options.output, size.width, size.height,
@@ -154,18 +154,18 @@ void run_static(const StaticOptions& options) {
     scene = std::move(now);
     std::uint64_t cycles = 0;
     model::StaticFramesSink sink;
-    sink.pass = [&](const model::NamedFrame& pass) { cycles += of_method.cycles(pass); };
+    sink.pass = [&](const model::NamedFrame& pass) { cycles += pipeline.cycles(pass); };
     const model::StaticFrameWork& work = method.draw(sink);
     cycles += work.run_cycles;
 
     const model::NamedFrame all = method.triangles(everything);
-    if (of_all.fits(all) < all.scene.triangles.size()) {
+    if (pipeline.fits(all) < all.scene.triangles.size()) {
       throw ref::Error(fmt::format("{}: {} triangles in frame {}, and configuration {} has {}: raise `triangles`",
                                    options.input.scene, all.scene.triangles.size(), n, configuration.name(),
                                    config.triangles));
     }
-    const std::uint64_t all_cycles = of_all.cycles(all);
-    const std::vector<model::RawEntry> expected = model::StaticFrames::entries(of_all.engine(), configuration, all);
+    const std::uint64_t all_cycles = pipeline.cycles(all);
+    const std::vector<model::RawEntry> expected = model::StaticFrames::entries(pipeline.engine(), configuration, all);
     const auto differ = std::inner_product(expected.begin(), expected.end(), method.picture().begin(), std::size_t(0),
                                            std::plus<>(), [](const auto& a, const auto& b) { return !(a == b); });
     if (differ != 0) {

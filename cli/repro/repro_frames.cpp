@@ -241,6 +241,12 @@ void repro_c(const ReproFramesOptions& options) {
 
 }  // namespace
 
+std::vector<std::string> paper_animations() {
+  std::vector<std::string> scenes;
+  for (const Printed& row : kPrinted) scenes.push_back(row.scene);
+  return scenes;
+}
+
 void add_repro_frames(CLI::App* repro) {
   auto options = std::make_shared<ReproFramesOptions>();
   CLI::App* paper = repro->add_subcommand("C", "frame-rate up-conversion");

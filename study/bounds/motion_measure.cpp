@@ -7,6 +7,7 @@
 #include "model/motion/compensation.hpp"
 #include "study/bounds/bounds_measure.hpp"
 #include "study/bounds/compensation_exact.hpp"
+#include "study/bounds/coordinate_words.hpp"
 #include "study/proofs/motion_bounds.hpp"
 #include "study/proofs/shown_bounds.hpp"
 #include "study/proofs/texture_bounds.hpp"
@@ -125,18 +126,7 @@ class MotionMeter : public FeatureMeter {
       key.origin_x = origin(triangle.x, config_.width);
       key.origin_y = origin(triangle.y, config_.height);
       for (int v = 0; v < 3; ++v) {
-        const std::int64_t any = least + std::int64_t(random() % std::uint64_t(most - least + 1));
-        const std::int64_t q = !has_perspective(config_) ? most
-                               : kind == 0               ? least
-                               : kind == 1               ? any
-                               : random() % 2            ? least + std::int64_t(random() % 3)
-                                                         : most;
-        for (auto* to : {&key.s, &key.t}) {
-          (*to)[v] = int(kind == 0      ? q - std::int64_t(random() % 4)
-                         : random() % 2 ? std::int64_t(random() % 2) * q
-                                        : std::int64_t(random() % std::uint64_t(q + 1)));
-        }
-        if (has_perspective(config_)) key.q[v] = int(q);
+        draw_coordinates(key, std::size_t(v), kind, config_, least, most, random);
         if (!relights(config_)) continue;
         for (auto& channel : key.difference) {
           channel[v] = int(random() % 2 ? 1 + random() % 2 * std::uint64_t(differences - 2)

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "study/bounds/bounds_measure.hpp"
+#include "study/bounds/coordinate_words.hpp"
 #include "study/proofs/texture_bounds.hpp"
 #include "vectors/frames/awkward.hpp"
 
@@ -72,18 +73,7 @@ class TextureMeter : public FeatureMeter {
     RawCoordinates out;
     out.texture = 1;
     for (int v = 0; v < 3; ++v) {
-      const std::int64_t any = least + std::int64_t(random() % std::uint64_t(most - least + 1));
-      const std::int64_t q = !has_perspective(config_) ? most
-                             : kind == 0               ? least
-                             : kind == 1               ? any
-                             : random() % 2            ? least + std::int64_t(random() % 3)
-                                                       : most;
-      for (auto* to : {&out.s, &out.t}) {
-        (*to)[v] = int(kind == 0      ? q - std::int64_t(random() % 4)
-                       : random() % 2 ? std::int64_t(random() % 2) * q
-                                      : std::int64_t(random() % std::uint64_t(q + 1)));
-      }
-      if (has_perspective(config_)) out.q[v] = int(q);
+      draw_coordinates(out, std::size_t(v), kind, config_, least, most, random);
     }
     return out;
   }
