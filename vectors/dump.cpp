@@ -7,7 +7,6 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "ref/error.hpp"
@@ -76,39 +75,6 @@ Difference compare_buffers(const fs::path& a, const fs::path& b, const char* fil
   return result;
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) {
-    if (line.rfind("//", 0) != 0 && !line.empty()) lines.push_back(line);
-  }
-  return lines;
-}
-
-nlohmann::json manifest_of(const fs::path& folder) {
-  try {
-    return nlohmann::json::parse(file_bytes(folder / "manifest.json"));
-  } catch (const nlohmann::json::exception& error) {
-    throw ref::Error(fmt::format("{}: not a manifest ({}): write the vectors again",
-                                 (folder / "manifest.json").string(), error.what()));
-  }
-}
-
-Difference compare_streams(const fs::path& a, const fs::path& b, const std::string& name) {
-  const std::vector<std::string> words[2] = {lines_of(file_bytes(a / (name + ".hex"))),
-                                             lines_of(file_bytes(b / (name + ".hex")))};
-  Difference result;
-  result.part = name;
-  result.values = std::max(words[0].size(), words[1].size());
-  for (std::size_t n = 0; n < result.values; ++n) {
-    const std::string none = "no word";
-    const std::string& left = n < words[0].size() ? words[0][n] : none;
-    const std::string& right = n < words[1].size() ? words[1][n] : none;
-    if (left != right && result.different++ == 0) result.first = fmt::format("word {}: {} and {}", n, left, right);
-  }
-  return result;
-}
-
 }  // namespace
 
 void write_dump(const std::string& folder, const ref::SnappedList& scene, const ref::Frame& frame) {
@@ -131,38 +97,18 @@ void write_dump(const std::string& folder, const ref::SnappedList& scene, const 
   staged.commit();
 }
 
-std::vector<Difference> compare_folders(const std::string& a, const std::string& b) {
+bool is_dump(const std::string& folder) { return fs::exists(fs::path(folder) / "index.u32"); }
+
+std::vector<Difference> compare_dumps(const std::string& a, const std::string& b) {
   const fs::path left(a), right(b);
-  for (const fs::path& folder : {left, right}) {
-    if (!fs::exists(folder / "index.u32") && !fs::exists(folder / "manifest.json")) {
-      throw ref::Error(
-          fmt::format("{}: neither a dump nor a vector set: give a folder that `halfspace render --dump` "
-                      "or `halfspace vectors` has written",
-                      folder.string()));
-    }
+  const Size size = dump_size(left), other = dump_size(right);
+  if (size.width != other.width || size.height != other.height) {
+    throw ref::Error(fmt::format("{} has {}x{} pixels and {} has {}x{}: give two dumps of one size", a, size.width,
+                                 size.height, b, other.width, other.height));
   }
-  const bool dumps = fs::exists(left / "index.u32");
-  if (dumps != fs::exists(right / "index.u32")) {
-    throw ref::Error(fmt::format("{} and {}: one is a dump and one a vector set: give two of a kind", a, b));
-  }
-  std::vector<Difference> result;
-  if (dumps) {
-    const Size size = dump_size(left), other = dump_size(right);
-    if (size.width != other.width || size.height != other.height) {
-      throw ref::Error(fmt::format("{} has {}x{} pixels and {} has {}x{}: give two dumps of one size", a, size.width,
-                                   size.height, b, other.width, other.height));
-    }
-    result.push_back(compare_buffers<std::uint32_t>(left, right, "index.u32", size, 1));
-    result.push_back(compare_buffers<std::uint32_t>(left, right, "depth.u32", size, 1));
-    result.push_back(compare_buffers<std::uint8_t>(left, right, "colour.rgba8", size, 4));
-    return result;
-  }
-  const nlohmann::json streams = manifest_of(left).value("streams", nlohmann::json::array());
-  if (streams.size() != manifest_of(right).value("streams", nlohmann::json::array()).size()) {
-    throw ref::Error(fmt::format("{} and {}: the sets have different streams: write both with one version", a, b));
-  }
-  for (const auto& stream : streams) result.push_back(compare_streams(left, right, stream.value("name", "")));
-  return result;
+  return {compare_buffers<std::uint32_t>(left, right, "index.u32", size, 1),
+          compare_buffers<std::uint32_t>(left, right, "depth.u32", size, 1),
+          compare_buffers<std::uint8_t>(left, right, "colour.rgba8", size, 4)};
 }
 
 }  // namespace halfspace::model

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "model/formats/field_meanings.hpp"
 #include "model/formats/field_value.hpp"
 #include "model/formats/stream_list.hpp"
 #include "model/pipeline/engine.hpp"
@@ -56,20 +57,34 @@ class HexFile {
     for (unsigned i = 0; i < size; ++i) sha256 += fmt::format("{:02x}", bytes[i]);
     std::size_t total = 0;
     for (std::size_t n : frame_words_) total += n;
+    const std::string record = record_name(layout_.row);
+    const RecordOrder order = record_order(record);
     Json fields = Json::array();
     for (const Field& field : layout_.fields) {
+      const FieldMeaning meaning = field_meaning(record, field.name);
       fields.push_back({{"name", field.name},
                         {"lsb", field.lsb},
                         {"width", field.width},
                         {"count", field.count},
                         {"signed", field.is_signed},
-                        {"fraction", field.fraction}});
+                        {"fraction", field.fraction},
+                        {"meaning", meaning.meaning},
+                        {"unit", meaning.unit},
+                        {"valid_if", meaning.valid_if}});
     }
-    return {{"name", layout_.stream},       {"from", layout_.row.from},
-            {"to", layout_.row.to},         {"file", layout_.stream + ".hex"},
-            {"bits", layout_.bits},         {"words", total},
-            {"frame_words", frame_words_},  {"sha256", sha256},
-            {"context", layout_.row.place}, {"fields", fields}};
+    return {{"name", layout_.stream},
+            {"from", layout_.row.from},
+            {"to", layout_.row.to},
+            {"file", layout_.stream + ".hex"},
+            {"bits", layout_.bits},
+            {"words", total},
+            {"frame_words", frame_words_},
+            {"sha256", sha256},
+            {"context", layout_.row.place},
+            {"what", layout_.row.what},
+            {"order", order.order},
+            {"any_order_within", order.any_order_within},
+            {"fields", fields}};
   }
 
  private:

@@ -73,6 +73,7 @@ Field read_field(const Place& place, int stream_bits) {
   field.lsb = int(place.at("lsb").integer(0, kMostBits));
   field.is_signed = place.at("signed").flag();
   field.fraction = int(place.at("fraction").integer(-64, 64));
+  if (place.has("valid_if")) field.valid_if = place.at("valid_if").text();
   if (field.lsb + field.width * field.count > stream_bits) {
     place.fail("(" + field.name + ") reaches beyond the " + std::to_string(stream_bits) + " bits of its stream");
   }
@@ -86,6 +87,7 @@ Stream read_stream(const Place& place, std::size_t frames) {
   stream.to = place.at("to").text();
   stream.file = place.at("file").text();
   if (place.has("context")) stream.context = place.at("context").text();
+  if (place.has("any_order_within")) stream.any_order_within = place.at("any_order_within").text();
   stream.bits = int(place.at("bits").integer(1, kMostBits));
   for (const Place& item : place.at("frame_words").items()) {
     stream.frame_words.push_back(std::size_t(item.integer(0, kMostWords)));
@@ -196,13 +198,10 @@ Vectors load_manifest(const std::string& directory) {
   return vectors;
 }
 
-void load_words(const std::string& directory, Stream* stream) {
-  const std::string file = directory + "/" + stream->file;
+Words read_words(const std::string& file, int bits, std::size_t most) {
   std::ifstream in(file);
   if (!in) throw Error(file + ": cannot be opened" + kRemedy);
-  std::size_t expected = 0;
-  for (std::size_t words : stream->frame_words) expected += words;
-  Words words(stream->bits);
+  Words words(bits);
   std::string line;
   for (std::size_t number = 1; std::getline(in, line); ++number) {
     const char* first = line.data();
@@ -212,10 +211,18 @@ void load_words(const std::string& directory, Stream* stream) {
     if (first == end) continue;
     if (!append_word(first, end, &words)) {
       throw Error(file + ":" + std::to_string(number) + ": \"" + std::string(first, end).substr(0, 40) +
-                  "\" is not a hexadecimal word of " + std::to_string(stream->bits) + " bits" + kRemedy);
+                  "\" is not a hexadecimal word of " + std::to_string(bits) + " bits" + kRemedy);
     }
-    if (words.size() > expected) break;
+    if (words.size() > most) break;
   }
+  return words;
+}
+
+void load_words(const std::string& directory, Stream* stream) {
+  const std::string file = directory + "/" + stream->file;
+  std::size_t expected = 0;
+  for (std::size_t words : stream->frame_words) expected += words;
+  Words words = read_words(file, stream->bits, expected);
   if (words.size() != expected) {
     throw Error(file + ": holds " + (words.size() > expected ? "more than " : "only ") +
                 std::to_string(std::min(words.size(), expected)) + " words, manifest.json says " +

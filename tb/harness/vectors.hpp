@@ -26,13 +26,15 @@ struct Field {
   int lsb = 0, width = 0, count = 1;
   bool is_signed = false;
   int fraction = 0;
+  std::string valid_if;  // when it counts, for who compares words that are not ours
 
   std::uint64_t raw(const std::uint32_t* word, int lane = 0) const { return extract(word, lsb + lane * width, width); }
 };
 
 struct Stream {
   std::string name, from, to, file;
-  std::string context;  // the stream whose word of the same number tells the triangles of this one
+  std::string context;           // the stream whose word of the same number tells the triangles of this one
+  std::string any_order_within;  // a field: words that follow each other with one value of it may come in any order
   int bits = 0;
   std::vector<std::size_t> frame_words;
   std::vector<Field> fields;
@@ -74,6 +76,8 @@ struct Vectors {
 
 // manifest.json alone.
 Vectors load_manifest(const std::string& directory);
+// The words of a .hex file, `most` and one more at most.
+Words read_words(const std::string& file, int bits, std::size_t most);
 // The words of one stream of it.
 void load_words(const std::string& directory, Stream* stream);
 

@@ -11,7 +11,7 @@ import tempfile
 # Which floors a floor may include from, besides itself. The bench sees vector files and Verilated models alone.
 FLOORS = {"ref": "", "hls": "", "tb": "", "model": "ref hls", "vectors": "model ref hls",
           "study": "vectors model ref hls",
-          "cli": "study vectors model ref", "tests": "study vectors model ref hls"}
+          "cli": "study vectors model ref tb", "tests": "study vectors model ref hls"}
 # The rooms of a floor, lowest first: a room includes from itself and from rooms before it. Rooms with a + between them
 # are one. `.hpp` and `.cpp`: files in no room. What a floor has no order of is not held.
 ROOMS = {"ref": ".hpp scene+builtin geometry raster objects motion",
@@ -115,7 +115,7 @@ WRONG = {"ref/scene/a.hpp": ('#include "hls/numbers/n.hpp"', "ref/ knows no othe
          "hls/shade/c.hpp": ('#include "hls/attic/t.hpp"', "hls/attic has no place"),
          "hls/shade/u.hpp": ('#include "hls/ztest/v.hpp"', "a unit must not know another"),
          "tb/d.cpp": ('#include "model/formats/m.hpp"', "tb/ knows no other floor"),
-         "cli/common/e.cpp": ('#include "hls/numbers/n.hpp"', "cli/ knows study, vectors, model, ref alone"),
+         "cli/common/e.cpp": ('#include "hls/numbers/n.hpp"', "cli/ knows study, vectors, model, ref, tb alone"),
          "model/formats/f.cpp": ('#include "model/pipeline/gone.hpp"', "there is no such file"),
          "rtl/ztest/hs_g.sv": ("  hs_s u_s (", "rtl/ztest comes before rtl/shade"),
          "rtl/shade/hs_u.sv": ("  hs_v #(", "a unit must not know another")}
