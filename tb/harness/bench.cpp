@@ -5,6 +5,13 @@
 
 namespace halfspace::tb {
 
+namespace {
+
+// No unit takes more cycles for a word on the average, stalls included: what does never ends by itself.
+constexpr std::uint64_t kCyclesAWord = 2000;
+
+}  // namespace
+
 std::size_t Result::words() const {
   std::size_t sum = 0;
   for (const StreamResult& stream : streams) sum += stream.words;
@@ -88,6 +95,7 @@ bool Bench::step() {
   model_->eval();
   for (Memory& memory : memories_) memory.answer();
   if (moved && first_move_ == 0) first_move_ = cycle_;
+  moves_ += moved;
   ++cycle_;
   return moved;
 }
@@ -102,9 +110,15 @@ void Bench::tell_progress() {
 
 bool Bench::run(const std::function<bool()>& done, std::uint64_t patience) {
   std::uint64_t waited = 0;
+  const std::uint64_t from = cycle_, moved_before = moves_;
   while (!done()) {
     waited = step() ? 0 : waited + 1;
     if (cycle_ % 65536 == 0) tell_progress();
+    if (cycle_ - from > 10 * patience + kCyclesAWord * (moves_ - moved_before)) {
+      failures_.push_back("too slow: " + std::to_string(moves_) + " cycles of " + std::to_string(cycle_) +
+                          " moved a word; " + waiting());
+      return false;
+    }
     if (waited <= patience) continue;
     failures_.push_back("hang: no word moved for " + std::to_string(patience) + " cycles; " + waiting());
     return false;
@@ -120,6 +134,12 @@ bool Bench::all_done() const {
     if (!receiver.done()) return false;
   }
   return true;
+}
+
+bool Bench::done(std::size_t frames) const {
+  const auto is_through = [&](const auto& end) { return end.done() || end.segments_done() >= frames; };
+  return std::all_of(senders_.begin(), senders_.end(), is_through) &&
+         std::all_of(receivers_.begin(), receivers_.end(), is_through);
 }
 
 std::string Bench::waiting() const {
@@ -138,6 +158,17 @@ void Bench::idle(int cycles) {
   for (int i = 0; i < cycles; ++i) step();
 }
 
+void Bench::abandon(const std::string& note, Result* result) {
+  for (const Receiver& receiver : receivers_) {
+    for (const std::string& failure : receiver.failures()) result->failures.push_back(failure + note);
+    if (receiver.mismatches() == 0) continue;
+    const Stream& stream = *vectors_->find(receiver.name());
+    result->streams.push_back({stream.name, stream.from, stream.to, receiver.words(), receiver.mismatches()});
+  }
+  for (const std::string& failure : failures_) result->failures.push_back(failure + note);
+  result->simulated += cycle_;
+}
+
 void Bench::finish(Result* result) {
   for (Receiver& receiver : receivers_) {
     receiver.finish();
@@ -150,7 +181,7 @@ void Bench::finish(Result* result) {
     }
   }
   for (const std::string& failure : failures_) result->failures.push_back(failure);
-  result->simulated = cycle_;
+  result->simulated += cycle_;
 }
 
 }  // namespace halfspace::tb

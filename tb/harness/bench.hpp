@@ -38,7 +38,8 @@ struct Result {
   std::vector<StreamResult> streams;
   std::vector<std::string> failures;
   std::uint64_t cycles = 0;
-  std::string cycles_of;  // what `cycles` measures
+  std::string cycles_of;              // what `cycles` measures
+  std::vector<std::size_t> repeated;  // frames that were sent twice
   std::uint64_t simulated = 0;
   double seconds = 0, processor_seconds = 0;
   Bound bound;
@@ -77,12 +78,17 @@ class Bench {
 
   void reset();
   void set_frame(const Frame& frame);
-  // Steps until done() holds; `patience` cycles without a word are a hang: told, and false.
+  // Steps until done() holds; `patience` cycles without a word that was expected are a hang: told, and false. So are
+  // more cycles than the slowest unit needs for the words that moved.
   bool run(const std::function<bool()>& done, std::uint64_t patience);
   bool all_done() const;
+  // Whether the first `frames` of what was sent and expected are through.
+  bool done(std::size_t frames) const;
   void idle(int cycles);
   // Collects the streams' results, and refuses streams without words.
   void finish(Result* result);
+  // Collects what was wrong until now, and nothing that is missing: the bench ends before its words do.
+  void abandon(const std::string& note, Result* result);
 
   std::uint64_t cycle() const { return cycle_; }
   std::uint64_t first_move() const { return first_move_; }
@@ -105,7 +111,7 @@ class Bench {
   std::deque<Receiver> receivers_;
   std::deque<Memory> memories_;
   std::vector<std::string> failures_;
-  std::uint64_t cycle_ = 0, first_move_ = 0;
+  std::uint64_t cycle_ = 0, first_move_ = 0, moves_ = 0;
   std::chrono::steady_clock::time_point told_ = std::chrono::steady_clock::now();
 };
 

@@ -16,8 +16,8 @@ namespace {
 
 class Binding final : public Model {
  public:
-  explicit Binding(std::uint64_t seed) : Model(HS_TOP, HS_CONFIG, HS_LANES_X, HS_LANES_Y) {
-    context_.randReset(2);
+  Binding(std::uint64_t seed, Start start) : Model(HS_TOP, HS_CONFIG, HS_LANES_X, HS_LANES_Y) {
+    context_.randReset(int(start));
     context_.randSeed(int(seed & 0x7fffffff) | 1);
     top_ = std::make_unique<Vmodel>(&context_);
 #define HS_PORT(name, bits, is_input) add_port(#name, &top_->name, int(sizeof top_->name), bits, is_input);
@@ -40,7 +40,7 @@ class Binding final : public Model {
 
 }  // namespace
 
-std::unique_ptr<Model> make_model(std::uint64_t seed) { return std::make_unique<Binding>(seed); }
+std::unique_ptr<Model> make_model(std::uint64_t seed, Start start) { return std::make_unique<Binding>(seed, start); }
 
 std::string model_top() { return HS_TOP; }
 

@@ -29,6 +29,16 @@ Segment segment_of(const Stream& stream, std::size_t frame, const std::string& n
   return {&stream, begin, begin + stream.frame_words[frame], frame, note};
 }
 
+bool same_words(const Stream& stream, std::size_t a, std::size_t b) {
+  const Segment first = segment_of(stream, a), second = segment_of(stream, b);
+  if (first.end - first.begin != second.end - second.begin) return false;
+  for (std::size_t n = 0; n < first.end - first.begin; ++n) {
+    if (std::memcmp(stream.words[first.begin + n], stream.words[second.begin + n], stream.words.parts() * 4) != 0)
+      return false;
+  }
+  return true;
+}
+
 Wires input_wires(const Model& model, const std::string& port, const Stream& stream) {
   return {&model.need(port + "_i", stream.bits), &model.need(port + "_valid_i", 1), model.find(port + "_ready_o")};
 }
@@ -138,8 +148,7 @@ bool Receiver::sample(std::uint64_t cycle) {
     is_held_ = false;
     // A phase of shyness lasts until a word moved in it: a unit that waits for ready is then seen to hang.
     shy_ = shy_ && stall_.shy();
-    take(cycle);
-    return true;
+    return take(cycle);
   }
   if (!is_held_ && !held_.empty()) {
     is_held_ = true;
@@ -165,14 +174,14 @@ void Receiver::check_held(bool valid) {
   failures_.push_back(what);
 }
 
-void Receiver::take(std::uint64_t cycle) {
+bool Receiver::take(std::uint64_t cycle) {
   if (sink_ && current_ + 1 >= segments_.size()) {
     std::memcpy(sink_->append(), wires_.data->data, std::size_t(wires_.data->bytes));
   }
   if (listener_) listener_(word_at(*wires_.data, held_.size()).data());
   if (done()) {
     take_surplus();
-    return;
+    return false;
   }
   const Segment& segment = segments_[current_];
   ++words_;
@@ -184,6 +193,7 @@ void Receiver::take(std::uint64_t cycle) {
   }
   ++position_;
   skip_empty(cycle);
+  return true;
 }
 
 void Receiver::take_surplus() {

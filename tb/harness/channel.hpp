@@ -27,6 +27,8 @@ struct Segment {
   std::string note;
 };
 Segment segment_of(const Stream& stream, std::size_t frame, const std::string& note = "");
+// Whether a stream has the same words in two frames.
+bool same_words(const Stream& stream, std::size_t a, std::size_t b);
 
 // The wires of a stream whose ports are <port>_i, <port>_valid_i and so on. Null where the model has none.
 struct Wires {
@@ -49,6 +51,7 @@ class Sender {
   // Whether a word moved.
   bool sample();
   bool done() const { return current_ == segments_.size(); }
+  std::size_t segments_done() const { return current_; }
   // "triangle: 12 of 40 words taken, valid 1, ready 0"
   std::string state() const;
   std::size_t words() const { return words_; }
@@ -79,8 +82,10 @@ class Receiver {
   // Tells each word that is really received, right or wrong.
   void on_word(std::function<void(const std::uint32_t*)> listener) { listener_ = std::move(listener); }
   void drive();
+  // Whether a word moved that was expected: a unit that sends without an end does not get on.
   bool sample(std::uint64_t cycle);
   bool done() const { return current_ == segments_.size(); }
+  std::size_t segments_done() const { return current_; }
   std::string state() const;
   // Counts the words that never came.
   void finish();
@@ -96,7 +101,7 @@ class Receiver {
  private:
   void skip_empty(std::uint64_t cycle);
   void check_held(bool valid);
-  void take(std::uint64_t cycle);
+  bool take(std::uint64_t cycle);
   void take_surplus();
 
   Wires wires_;

@@ -61,8 +61,10 @@ class Model {
   std::unordered_map<std::string, int> constants_;
 };
 
-// The one model of this program. Registers and memories without a reset start at random values drawn from `seed`.
-std::unique_ptr<Model> make_model(std::uint64_t seed);
+// How registers and memories start that a reset has not reached yet.
+enum class Start { kZeros = 0, kOnes = 1, kRandom = 2 };
+// A model of this program; random values are drawn from `seed`.
+std::unique_ptr<Model> make_model(std::uint64_t seed, Start start);
 // Its top module, known without making it.
 std::string model_top();
 

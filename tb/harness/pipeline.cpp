@@ -33,17 +33,6 @@ std::vector<Turn> turns_of(const Vectors& vectors, int times_last) {
 
 Segment segment_of(const Stream& stream, const Turn& turn) { return segment_of(stream, turn.frame, turn.note); }
 
-// Whether a stream has the same words in two frames.
-bool same_words(const Stream& stream, std::size_t a, std::size_t b) {
-  const Segment first = segment_of(stream, a), second = segment_of(stream, b);
-  if (first.end - first.begin != second.end - second.begin) return false;
-  for (std::size_t n = 0; n < first.end - first.begin; ++n) {
-    if (std::memcmp(stream.words[first.begin + n], stream.words[second.begin + n], stream.words.parts() * 4) != 0)
-      return false;
-  }
-  return true;
-}
-
 // Whether one frame may follow the other without a pause: registers and what is loaded are the same.
 bool may_follow(const Vectors& vectors, std::size_t a, std::size_t b) {
   return same_registers(vectors.frames[a], vectors.frames[b]) &&
@@ -95,9 +84,36 @@ Bound bound_of(const Vectors& vectors, const Model& model, int setup_interval) {
   return bound;
 }
 
+// Leaves the model in the midst of its first frame. Geometry has not answered; whatever comes out is taken and not
+// looked at.
+void run_part(Model* model, const Vectors& vectors, const Options& options) {
+  Bench bench(model, &vectors, &options, "pipeline");
+  const std::uint64_t some = 32 + Random(options.seed).next() % 1024;
+  std::size_t frame = 0;
+  while (frame + 1 < vectors.frames.size() && vectors.find("triangle")->frame_words[frame] < 2) ++frame;
+  bench.reset();
+  bench.set_frame(vectors.frames[frame]);
+  for (const auto& [name, port] : model->ports()) {
+    if (port.input && port.bits == 1 && name.rfind("_ready_i") != std::string::npos) model->set(name, 1);
+  }
+  for (const Stream& stream : vectors.streams) {
+    if (is_loaded(stream)) bench.add_sender(stream).send(segment_of(stream, frame));
+  }
+  bench.run([&] { return bench.all_done(); }, options.hang);
+  Sender& triangles = bench.add_sender(*vectors.find("triangle"));
+  triangles.send(segment_of(*vectors.find("triangle"), frame));
+  bench.run([&] { return triangles.words() > 0; }, kResetPatience);
+  bench.idle(int(some));
+  for (const auto& [name, port] : model->ports()) {
+    if (port.input && name != "clk_i") model->set(name, 0);
+  }
+}
+
 }  // namespace
 
 Result run_pipeline(Model* model, const Vectors& vectors, const Options& options, LastFrame* last) {
+  // Clearing takes longer than small frames: every other seed.
+  if (options.seed % 2 == 0) run_part(model, vectors, options);
   Bench bench(model, &vectors, &options, "pipeline");
   const std::uint8_t* const busy = model->need("busy_o", 1).bit();
   Sender* triangles = nullptr;

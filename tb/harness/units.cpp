@@ -9,6 +9,9 @@
 namespace halfspace::tb {
 namespace {
 
+// Of frames: half follow the one before at once if they may, an eighth is sent once more right behind itself. So a unit
+// sees the first words of a frame behind the last of another, and an end where none comes.
+constexpr unsigned kFollow = 4, kRepeat = 1, kOf = 8;
 constexpr int kPause = 64;  // cycles after a frame in which a surplus word shows
 // A pass that clears the whole buffer sends nothing for as many cycles as the largest frame has stamps.
 constexpr std::uint64_t kClearPatience = 4'000'000;
@@ -22,7 +25,8 @@ class UnitBench {
       : plan_(plan_of(*model, vectors)),
         vectors_(vectors),
         options_(options),
-        bench_(model, &vectors, &options, unit_of(*model)) {
+        bench_(model, &vectors, &options, unit_of(*model)),
+        random_(seed_of(options.seed, "frames")) {
     for (const Plan::End& end : plan_.loads) loaders_.push_back(&bench_.add_sender(*end.stream, end.port));
     for (const Plan::End& end : plan_.takes) senders_.push_back(&bench_.add_sender(*end.stream, end.port));
     for (const Plan::End& end : plan_.sends) receivers_.push_back(&bench_.add_receiver(*end.stream, end.port));
@@ -36,7 +40,7 @@ class UnitBench {
     add(kVisibilityDatabase);
   }
 
-  Result run() {
+  void run(Result* result) {
     const Stopwatch stopwatch;
     bench_.reset();
     if (scanned_) {
@@ -45,17 +49,35 @@ class UnitBench {
       for (std::size_t frame = 0; frame < vectors_.frames.size(); ++frame) send_frame(frame);
       finish_frame();
     } else {
-      for (std::size_t frame = 0; frame < vectors_.frames.size(); ++frame) {
-        if (!run_frame(frame)) break;
-      }
+      run_frames();
     }
-    Result result;
-    result.unit = bench_.name();
-    result.cycles = cycles_;
-    result.cycles_of = "all frames, first to last word, stalls included";
-    bench_.finish(&result);
-    stopwatch.stop(&result);
-    return result;
+    result->unit = bench_.name();
+    result->cycles = cycles_;
+    result->cycles_of = "all frames, first to last word, stalls included";
+    result->repeated = repeated_;
+    bench_.finish(result);
+    stopwatch.stop(result);
+  }
+
+  // The first frame with words at every end, until a cycle in the midst of it, or all of it.
+  void run_part(bool whole, const std::string& note, Result* result) {
+    bench_.reset();
+    std::size_t frame = 0;
+    while (frame + 1 < vectors_.frames.size() && !has_words(frame)) ++frame;
+    const std::uint64_t some = 8 + random_.next() % 512;
+    const auto is_there = [&] { return bench_.all_done() || (!whole && bench_.cycle() > some); };
+    bench_.set_frame(vectors_.frames[frame]);
+    if (index_buffer_) index_buffer_->clear(0);
+    if (scanned_) scanned_->clear(0);
+    if (prepare(frame)) {
+      if (scanned_) {
+        add_start().send({&tokens_, 0, 1, frame, ""});
+      }
+      send_frame(frame);
+      bench_.run(is_there, options_.hang);
+      if (whole) bench_.idle(kPause);
+    }
+    bench_.abandon(note, result);
   }
 
  private:
@@ -63,13 +85,55 @@ class UnitBench {
   // frame: a unit that then waits for a word of the next one hangs.
   bool follows() { return bench_.model().find("merge_valid_i") != nullptr; }
 
-  bool run_frame(std::size_t frame) {
-    bench_.set_frame(vectors_.frames[frame]);
+  void run_frames() {
+    for (std::size_t frame = 0; frame < vectors_.frames.size(); ++frame) {
+      const bool stalls = options_.stall != 0;  // or each frame is measured alone
+      const bool follows = frame > 0 && stalls && draw(kFollow) && may_follow(frame);
+      if (!(follows ? leave_one() : finish_frame()) || !begin_frame(frame, follows)) return;
+      if (!stalls || !draw(kRepeat)) continue;
+      repeated_.push_back(frame);
+      if (!leave_one() || !begin_frame(frame, true)) return;
+    }
+    finish_frame();
+  }
+
+  bool draw(unsigned share) { return random_.next() % kOf < share; }
+
+  bool has_words(std::size_t frame) const {
+    const auto some = [&](const Plan::End& end) { return end.stream->frame_words[frame] != 0; };
+    return std::all_of(plan_.takes.begin(), plan_.takes.end(), some) &&
+           std::all_of(plan_.sends.begin(), plan_.sends.end(), some);
+  }
+
+  // Whether what stays for a frame, where the unit has it, is the same in the one before.
+  bool may_follow(std::size_t frame) {
+    const auto same = [&](const Plan::End& end) { return same_words(*end.stream, frame - 1, frame); };
+    const bool has_size = bench_.model().find("frame_width_i"), has_background = bench_.model().find("background_i");
+    return ((!has_size && !has_background) || same_registers(vectors_.frames[frame - 1], vectors_.frames[frame])) &&
+           std::all_of(plan_.registers.begin(), plan_.registers.end(), same) &&
+           std::all_of(plan_.loads.begin(), plan_.loads.end(), same);
+  }
+
+  // Two frames at most are on their way, as in the pipeline.
+  bool leave_one() {
+    const std::uint64_t before = bench_.cycle();
+    const bool finished = begun_ < 2 || bench_.run([this] { return bench_.done(begun_ - 1); }, options_.hang);
+    cycles_ += bench_.cycle() - before;
+    return finished;
+  }
+
+  bool begin_frame(std::size_t frame, bool follows) {
+    if (!follows) bench_.set_frame(vectors_.frames[frame]);
     // A frame finds its bank of the I-buffer empty; the other one keeps the frame before.
-    if (index_buffer_) index_buffer_->clear(int(frame % 2));
-    if (!prepare(frame)) return false;
+    if (index_buffer_) index_buffer_->clear(int(begun_ % 2));
+    ++begun_;
+    if (follows) {
+      if (shading_) fill_shading_database(segment_of(*plan_.fills, frame));
+    } else if (!prepare(frame)) {
+      return false;
+    }
     send_frame(frame);
-    return finish_frame();
+    return true;
   }
 
   void send_frame(std::size_t frame) {
@@ -91,13 +155,7 @@ class UnitBench {
       const int end = index.lsb + index.width * index.count;
       for (int bit = index.lsb; bit < end; ++bit) word[bit / 32] &= ~(1u << (bit % 32));
     }
-    tokens_.name = "start";
-    tokens_.words = Words(1);
-    tokens_.words.append();
-    *tokens_.words.append() = 1;
-    const auto port = [this](const char* name) { return &bench_.model().need(name, 1); };
-    const Wires wires{port("start_clear_i"), port("start_valid_i"), port("start_ready_o")};
-    Sender& start = bench_.add_sender(wires, "start");
+    Sender& start = add_start();
 
     scanned_->clear(0);
     bool tried_clear = false;
@@ -118,6 +176,16 @@ class UnitBench {
       receivers_[0]->expect(segment_of(cleared_, frame, kScanAfterClear));
       if (!finish_extra(std::max(options_.hang, kClearPatience))) return;
     }
+  }
+
+  Sender& add_start() {
+    tokens_.name = "start";
+    tokens_.words = Words(1);
+    tokens_.words.append();
+    *tokens_.words.append() = 1;
+    const auto port = [this](const char* name) { return &bench_.model().need(name, 1); };
+    const Wires wires{port("start_clear_i"), port("start_valid_i"), port("start_ready_o")};
+    return bench_.add_sender(wires, "start");
   }
 
   // Registers, memories and what the unit loads.
@@ -162,6 +230,7 @@ class UnitBench {
   }
 
   bool finish_frame() {
+    if (begun_ == 0 && !scanned_ && !follows()) return true;
     const std::uint64_t before = bench_.cycle();
     const bool finished = bench_.run([this] { return bench_.all_done(); }, options_.hang);
     cycles_ += bench_.cycle() - before;
@@ -185,6 +254,9 @@ class UnitBench {
   Memory *index_buffer_ = nullptr, *scanned_ = nullptr, *shading_ = nullptr;
   int shading_bank_ = 0;
   std::uint64_t cycles_ = 0;
+  Random random_;
+  std::size_t begun_ = 0;  // frames
+  std::vector<std::size_t> repeated_;
   Stream cleared_, tokens_;  // of run_scan; the bench points to them until its end
 };
 
@@ -196,8 +268,17 @@ std::vector<std::string> unit_streams(const Model& model, const Vectors& vectors
   return streams;
 }
 
-Result run_unit(Model* model, const Vectors& vectors, const Options& options) {
-  return UnitBench(model, vectors, options).run();
+Result run_unit(const Vectors& vectors, const Options& options) {
+  Result result;
+  for (const Start start : {Start::kZeros, Start::kOnes}) {
+    const std::unique_ptr<Model> model = make_model(options.seed, start);
+    const char* const note = start == Start::kZeros ? " (all registers 0 at first)" : " (all registers 1 at first)";
+    UnitBench(model.get(), vectors, options).run_part(true, note, &result);
+  }
+  const std::unique_ptr<Model> model = make_model(options.seed, Start::kRandom);
+  UnitBench(model.get(), vectors, options).run_part(false, " (a frame that a reset ends)", &result);
+  UnitBench(model.get(), vectors, options).run(&result);
+  return result;
 }
 
 }  // namespace halfspace::tb

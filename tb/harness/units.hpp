@@ -14,9 +14,11 @@ namespace halfspace::tb {
 // Streams that the bench drives, compares or explains with.
 std::vector<std::string> unit_streams(const Model& model, const Vectors& vectors);
 
-// Frame by frame: registers, what the unit finds in its memories, then its words; a frame ends when all its words were
-// taken and seen, and a pause catches words that are too many. Runs of ztest_merge follow each other at once.
-Result run_unit(Model* model, const Vectors& vectors, const Options& options);
+// Frame by frame: registers, what the unit finds in its memories, then its words. Some frames follow the one before at
+// once, if the registers are the same, or are sent twice; the others end when all words were taken and seen, and a
+// pause catches words that are too many. Runs of ztest_merge follow each other at once. Without stalls each frame is
+// alone. Before that, a frame with all registers at 0 before the reset, one with all at 1, and one that a reset ends.
+Result run_unit(const Vectors& vectors, const Options& options);
 
 }  // namespace halfspace::tb
 

@@ -93,6 +93,7 @@ std::string json_report(const Vectors& vectors, const Options& options, const st
                 {"processor_seconds", result.processor_seconds},
                 {"streams", streams},
                 {"failures", result.failures}};
+    run["repeated"] = result.repeated;
     if (result.unit == "pipeline") {
       run["bound"] = {{"cycles", result.bound.cycles()},
                       {"setup", result.bound.setup},

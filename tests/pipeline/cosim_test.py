@@ -101,6 +101,7 @@ def difference(args, one, options):
 def compensation_difference(frames, one, without_stalls):
     """Why the tiles that the caches missed, or the cycles where nothing stalls, are not those of the kernel; nothing if
     they are."""
+    frames = frames + [frames[n] for n in one["repeated"]]
     for key in (0, 1):
         fetched = next(s["words"] for s in one["streams"] if s["name"] == f"key_request_{key}")
         missed = sum(frame["misses"][key] for frame in frames)
