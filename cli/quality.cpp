@@ -18,8 +18,10 @@ struct QualityOptions {
   std::string plot, json, vary;
 };
 
-void print(const char* method, const ref::Quality& q) {
-  fmt::print("{:<20} {:>9.2f} {:>8.4f}", method, q.psnr_y, q.ssim);
+// `rendered`: the share of the covered pixels that have a sample that no key shows.
+void print(const char* method, const ref::Quality& q, std::optional<double> rendered = {}) {
+  fmt::print("{:<20} {:>9.2f} {:>9} {:>8.4f}", method, q.psnr_y,
+             rendered ? fmt::format("{:.2f}%", 100 * *rendered) : "", q.ssim);
   for (const double share : q.blocks) fmt::print(" {:>9.2f}%", 100 * share);
   fmt::print("\n");
 }
@@ -46,28 +48,31 @@ void quality(const QualityOptions& options) {
   }
   if (q.between == 0)
     throw ref::Error(fmt::format("{}: no frame lies between keys: lower --psnr", options.sequence.scene));
-  fmt::print("{} {} {}x{}: {} frames, {} keys, {} in between, against these as rendered\n\n{:<20} {:>9} {:>8}",
+  fmt::print("{} {} {}x{}: {} frames, {} keys, {} in between, against these as rendered\n\n{:<20} {:>9} {:>9} {:>8}",
              options.sequence.engine, options.sequence.scene, q.sequence.width, q.sequence.height, q.sequence.frames,
-             q.sequence.keys.size(), q.between, "", "PSNR_Y dB", "SSIM");
+             q.sequence.keys.size(), q.between, "", "PSNR_Y dB", "rendered", "SSIM");
   for (int n = 0; n < ref::kBlockClasses; ++n) fmt::print(" {:>10}", ref::name_of(ref::BlockClass(n)));
   fmt::print("\n");
-  print("motion compensated", q.compensated);
+  print("motion compensated", q.compensated, q.rendered_share());
   if (q.alone) fmt::print("{:<20} {:>9.2f}\n", " its pixels alone", *q.alone);
-  if (without) print("without S-buffer", without->compensated);
+  if (without) print("without S-buffer", without->compensated, without->rendered_share());
   print("temporal average", q.average);
   print("nearer key", q.repeat);
   if (q.minterpolate) print("ffmpeg minterpolate", *q.minterpolate);
   else fmt::print("{:<20} not measured: {}\n", "ffmpeg minterpolate", q.no_minterpolate);
   const double shown = std::max(1.0, double(q.shares.blended + q.shares.copied + q.shares.filled + q.shares.still));
   fmt::print(
-      "\nof covered pixels {:.2f} % blended, {:.2f} % copied from one key, {:.2f} % rendered{}; classes are of 4x4 "
+      "\nof covered {} {:.2f} % blended, {:.2f} % copied from one key, {:.2f} % rendered{}; classes are of 4x4 "
       "blocks, from {} dB on\n",
-      100 * double(q.shares.blended) / shown, 100 * double(q.shares.copied) / shown,
-      100 * double(q.shares.filled) / shown,
+      options.sequence.samples == 1 ? "pixels" : "samples", 100 * double(q.shares.blended) / shown,
+      100 * double(q.shares.copied) / shown, 100 * double(q.shares.filled) / shown,
       without ? fmt::format(", {:.2f} % of the S-buffer", 100 * double(q.shares.still) / shown) : "",
       fmt::join(ref::kBlockBorders, ", "));
-  fmt::print("its pixels alone: those of which no sample was rendered, for want of a key that shows it\n");
-  if (double(q.shares.filled) > 0.1 * shown) fmt::print("more than a tenth of the covered pixels is rendered ones\n");
+  fmt::print(
+      "rendered: of the covered pixels, those of which a sample was rendered, for want of a key that shows it; its "
+      "pixels "
+      "alone: the others\n");
+  if (q.rendered_share() > 0.1) fmt::print("more than a tenth of the covered pixels is rendered ones\n");
   Json json = {{"scene", options.sequence.scene}, {"engine", options.sequence.engine}};
   json.update(to_json(q));
   if (without) {

@@ -84,7 +84,7 @@ ref::Frame reference_of(const LoadedScene& loaded);
 // The one of that name, which there is.
 template <class Kind, std::size_t N>
 Kind kind_of(const Kind (&kinds)[N], const std::string& name) {
-  return *std::find_if(std::begin(kinds), std::end(kinds), [&](Kind kind) { return ref::name_of(kind) == name; });
+  return *std::find_if(std::begin(kinds), std::end(kinds), [&](Kind kind) { return name_of(kind) == name; });
 }
 
 struct FrameSize {

@@ -39,7 +39,7 @@ class ReferenceConverter : public Converter {
   void set_keys(const ref::Scene& first, const ref::Scene& second) override {
     interval_ = std::make_unique<ref::Interval>(first, second, mode_);
   }
-  const ref::Colours& key(int k) const override { return interval_->key(k).colour; }
+  const ref::Colours& key(int k) const override { return interval_->key_colour(k); }
   SequenceFrame at(const ref::Scene& between, double a) override {
     ref::FrameBetween made = interval_->at(between, a);
     SequenceFrame out;
@@ -68,7 +68,8 @@ class KernelConverter : public Converter {
     out.rendered = std::move(made.rendered);
     out.of_keys = std::move(made.of_keys);
     out.shares = made.shares;
-    out.work = {made.triangles, made.static_triangles, made.words, made.misses[0] + made.misses[1], made.cycles};
+    out.work = {made.triangles, made.static_triangles, made.words, made.misses[0] + made.misses[1],
+                made.cycles,    made.second_words};
     return out;
   }
 
@@ -92,6 +93,8 @@ std::unique_ptr<Converter> reference_converter(const SequenceOptions& options, c
   mode.compensation.index_test = options.index_test;
   mode.field = options.half ? ref::FieldSize::kHalf : ref::FieldSize::kSamples;
   mode.surfaces = options.surfaces;
+  mode.key_faces = kind_of(ref::kKeyFaces, options.key_faces);
+  mode.key_scale = options.key_scale;
   mode.relight = options.relight && options.method == "exact";
   mode.static_buffer = options.static_buffer;
   return std::make_unique<ReferenceConverter>(mode);
@@ -99,16 +102,17 @@ std::unique_ptr<Converter> reference_converter(const SequenceOptions& options, c
 
 // The configuration that draws frames of this size, with texture if it is asked for.
 model::Configuration colour_configuration(const SequenceOptions& options, const FrameSize& size) {
+  const int scale = std::max(options.samples, options.key_scale);
   const auto fits = [&](const model::Configuration& c) {
-    return size.width * options.samples <= c.config().width && size.height * options.samples <= c.config().height;
+    return size.width * scale <= c.config().width && size.height * scale <= c.config().height;
   };
   model::Configuration chosen = model::find_configuration(options.config.empty() ? "middle" : options.config);
   if (options.config.empty() && !fits(chosen)) chosen = model::find_configuration("high");
   if (!fits(chosen)) {
     throw ref::Error(fmt::format(
-        "--size {}: with {} samples a pixel each way it is more than configuration {} draws: take a smaller "
-        "one, or a larger configuration",
-        options.size, options.samples, chosen.name()));
+        "--size {}: with {} samples or pixels of a key frame for a pixel each way it is more than configuration {} "
+        "draws: take a smaller one, or a larger configuration",
+        options.size, scale, chosen.name()));
   }
   if (options.texture == "none" || has_texture(chosen.config())) return chosen;
   return model::textured_configuration(
@@ -142,7 +146,7 @@ model::Configuration motion_of(const SequenceOptions& options, const FrameSize& 
   if (!options.mapping.empty()) model::set_choice(numbers, "mapping", options.mapping);
   if (options.method == "straight") numbers.mapping = TextureMapping::kAffine;
   numbers.relight = options.relight && options.method == "exact" ? 1 : 0;
-  numbers.samples = options.samples;
+  numbers.samples = std::max(1, options.samples / options.key_scale);
   for (const std::string& text : options.set) set_number(numbers, text);
   return model::motion_configuration(colour, numbers, size.width * options.samples, size.height * options.samples);
 }
@@ -163,11 +167,13 @@ int between_of(const std::string& keys) {
 void add(ref::Shares& sum, const ref::Shares& shares) {
   sum.background += shares.background, sum.blended += shares.blended;
   sum.copied += shares.copied, sum.filled += shares.filled, sum.still += shares.still;
+  sum.pixels += shares.pixels, sum.rendered += shares.rendered;
 }
 
 void add(Work& sum, const Work& work) {
   sum.triangles += work.triangles, sum.static_triangles += work.static_triangles;
   sum.words += work.words, sum.tiles += work.tiles, sum.cycles += work.cycles;
+  sum.second_words += work.second_words;
 }
 
 void add_sequence_options(CLI::App* command, SequenceOptions& o) {
@@ -215,6 +221,18 @@ void add_sequence_options(CLI::App* command, SequenceOptions& o) {
       ->capture_default_str();
   command->add_option("--samples", o.samples, "of a pixel each way: 1, 2, 4")
       ->check(CLI::IsMember({1, 2, 4}))
+      ->capture_default_str();
+  command
+      ->add_option("--key-scale", o.key_scale,
+                   "pixels of a key frame for one of a frame, each way: 1, 2, 4; finer than --samples, keys are drawn "
+                   "for themselves")
+      ->check(CLI::IsMember({1, 2, 4}))
+      ->capture_default_str();
+  command
+      ->add_option("--key-faces", o.key_faces,
+                   "what a key pixel keeps whose samples show several faces: pure, nothing; most, the face that most "
+                   "of them show; two, the next one as well")
+      ->check(CLI::IsMember({"pure", "most", "two"}))
       ->capture_default_str();
   command->add_flag("--relight,!--no-relight", o.relight, "add what the light changes between the keys (default)");
   command->add_flag("--half", o.half, "a motion vector for 2x2 pixels");
@@ -295,6 +313,9 @@ Sequence run_with(const SequenceOptions& options, const std::function<void(const
     const auto method = options.method == "straight" ? ref::MotionMethod::kStraight : ref::MotionMethod::kExact;
     model::KernelUpConversion mode{size.width, size.height, colour, motion, method, options.half};
     mode.static_buffer = options.static_buffer;
+    mode.samples = options.motion.empty() ? options.samples : 0;
+    mode.key_scale = options.key_scale;
+    mode.key_faces = kind_of(ref::kKeyFaces, options.key_faces);
     converter = std::make_unique<KernelConverter>(mode);
   }
 

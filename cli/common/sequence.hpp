@@ -23,7 +23,9 @@ struct SequenceOptions {
   ref::SceneChoice choice;
   std::string scene, engine = "hls", config, motion, size = "320x240", keys = "1:4";
   std::string filter, mapping, method = "exact", texture = "none", shading = "gouraud";
-  int samples = 1, first = 0, frames = 0;  // frames 0: to the end of the animation
+  std::string key_faces = ref::name_of(ref::UpConversion{}.key_faces);
+  int samples = 1, key_scale = 1;
+  int first = 0, frames = 0;  // frames 0: to the end of the animation
   bool relight = true, half = false, index_test = true, surfaces = false;
   bool static_buffer = false;
   bool foresee = false;
@@ -39,6 +41,7 @@ void add_sequence_options(CLI::App* command, SequenceOptions& options);
 struct Work {
   std::size_t triangles = 0, static_triangles = 0;  // handed to the pipeline for the field, and for the S-buffer
   std::size_t words = 0, tiles = 0, cycles = 0;     // of motion; of keys, that the caches fetch; of the compensation
+  std::size_t second_words = 0;                     // that go to the second faces of key pixels as well
 };
 void add(Work& sum, const Work& work);
 

@@ -85,11 +85,9 @@ SequenceQuality measure_sequence(const SequenceOptions& options, bool with_minte
 }
 
 Json to_json(const Work& work, int tile_bytes) {
-  return {{"triangles", work.triangles},
-          {"static_triangles", work.static_triangles},
-          {"motion_words", work.words},
-          {"cache_misses", work.tiles},
-          {"key_bytes", work.tiles * std::size_t(tile_bytes)},
+  return {{"triangles", work.triangles},       {"static_triangles", work.static_triangles},
+          {"motion_words", work.words},        {"second_words", work.second_words},
+          {"cache_misses", work.tiles},        {"key_bytes", work.tiles * std::size_t(tile_bytes)},
           {"compensation_cycles", work.cycles}};
 }
 
@@ -109,7 +107,9 @@ Json to_json(const SequenceQuality& q) {
                  {"blended", q.shares.blended},
                  {"copied", q.shares.copied},
                  {"rendered", q.shares.filled},
-                 {"static", q.shares.still}}}};
+                 {"static", q.shares.still}}},
+               {"picture_pixels", {{"covered", q.shares.pixels}, {"with_rendered", q.shares.rendered}}},
+               {"rendered_share", q.rendered_share()}};
   if (q.alone) json["of_keys_alone_psnr_y_db"] = *q.alone;
   json.update(to_json(q.work, q.sequence.tile_bytes));
   if (q.minterpolate) json["minterpolate"] = quality_json(*q.minterpolate);

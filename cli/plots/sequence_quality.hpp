@@ -23,6 +23,8 @@ struct SequenceQuality {
   std::string no_minterpolate;  // why there is none, if it was asked for
   ref::Shares shares;           // of pixels of the field, all frames
   Work work;
+  // Of the picture's pixels that are covered, those that have a sample that no key shows.
+  double rendered_share() const { return shares.pixels ? double(shares.rendered) / double(shares.pixels) : 0; }
   std::vector<std::array<double, ref::kBlockClasses>> blocks;  // of each frame in between
   std::vector<std::array<double, ref::kBlockClasses>> average_blocks;
 };

@@ -57,6 +57,15 @@ std::vector<RawMotion> doubled(const std::vector<RawMotion>& field, int width, i
   return out;
 }
 
+// Of words that go to keys so many times as fine as their pixels.
+Configuration finer_configuration(const Configuration& motion, int finer) {
+  if (finer == 1) return motion;
+  Config c = motion.config();
+  c.width *= finer, c.height *= finer;
+  c.vector_range = std::min(13, c.vector_range + bits_for(unsigned(finer) - 1));
+  return Configuration(motion.name() + "_finer", c);
+}
+
 // Takes the triangles of `still` instances out of what is drawn.
 void leave_out(const std::vector<bool>& still, const ref::Scene& scene, ref::Between& motion,
                ref::OfKeys<ref::LightChange>& change) {
@@ -166,9 +175,11 @@ ref::OfKeys<ref::LightChange> light_changes(const ref::Scene& between, const ref
 KernelUpConverter::KernelUpConverter(const KernelUpConversion& mode)
     : mode_(mode),
       motion_(mode_.motion.config()),
+      samples_(mode.samples ? mode.samples : motion_.samples * mode.key_scale),
+      finer_(std::max(1, mode.key_scale / samples_)),
       colour_engine_(make_engine(mode.colour, mode.lanes)),
       motion_engine_(make_engine(mode.motion, mode.lanes)),
-      compensator_(mode.motion),
+      compensator_(finer_configuration(mode.motion, finer_)),
       static_buffer_(*colour_engine_, mode_.colour) {
   const Config colour = mode.colour.config();
   for (const auto field : kShared) {
@@ -181,6 +192,14 @@ KernelUpConverter::KernelUpConverter(const KernelUpConversion& mode)
                       mode.colour.name(), mode.motion.name(), named.name));
     }
   }
+  if (motion_.samples * mode.key_scale != samples_ * finer_ || (finer_ != 1 && motion_.vector_fraction == 0)) {
+    throw ref::Error(
+        fmt::format("configuration {}: samples = {} of a key frame's pixel, and {} for a pixel of {} samples do not go "
+                    "together: the samples are the product, or 1 and the keys finer than they",
+                    mode.motion.name(), motion_.samples, mode.key_scale, samples_));
+  }
+  if (mode.half_field && mode.key_scale != 1)
+    throw ref::Error("half a field goes to key frames of the frame's own size: take a whole one for finer keys");
   if (mode.half_field && motion_.samples != 1) {
     throw ref::Error(
         fmt::format("configuration {}: half a field has no samples: take one with samples = 1", mode.motion.name()));
@@ -208,26 +227,51 @@ ref::DrawnFrame KernelUpConverter::drawn(ref::Geometry& geometry) {
   return {frame.width, frame.height, std::move(frame.colour), std::move(frame.index)};
 }
 
+KeyFrame KernelUpConverter::stored(const ref::KeyFrame& drawn) const {
+  KeyFrame key{drawn.width, drawn.height, {}, drawn.identity};
+  for (const auto& colour : drawn.colour) {
+    auto& rgb = key.rgb.emplace_back();
+    for (std::size_t c = 0; c < 3; ++c) rgb[c] = stored_colour(colour[c], motion_.colour_bits);
+  }
+  return key;
+}
+
 void KernelUpConverter::set_keys(const ref::Scene& first, const ref::Scene& second) {
   scenes_[0].emplace(first), scenes_[1].emplace(second);
   for (std::size_t k = 0; k < 2; ++k) {
-    ref::Geometry geometry(*scenes_[k], view(motion_.samples));
-    const ref::DrawnFrame frame = drawn(geometry);
+    ref::Geometry geometry(*scenes_[k], view(samples_));
+    ref::DrawnFrame frame = drawn(geometry);
+    key_colours_[k] = ref::averaged(frame.colour, frame.width, frame.height, samples_);
+    if (finer_ != 1) {
+      ref::Geometry fine(*scenes_[k], view(samples_ * finer_));
+      frame = drawn(fine);
+    }
     ref::Identities numbers = ref::face_identities(*scenes_[k]);
     for (std::size_t face = 1; face < numbers.size(); ++face)
       numbers[face] = std::uint32_t(face_number(std::uint32_t(face), motion_));
-    const ref::KeyFrame key = ref::key_frame(frame, motion_.samples, numbers);
-    keys_[k] = {key.width, key.height, {}, key.identity};
-    for (const auto& colour : key.colour) {
-      auto& rgb = keys_[k].rgb.emplace_back();
-      for (std::size_t c = 0; c < 3; ++c) rgb[c] = stored_colour(colour[c], motion_.colour_bits);
-    }
-    key_colours_[k] = key.colour;
+    const bool pure = mode_.key_faces == ref::KeyFaces::kPure;
+    keys_[k] = stored((pure ? ref::pure_key_frame : ref::key_frame)(frame, motion_.samples, numbers));
+    if (two_faces()) second_keys_[k] = stored(ref::second_key_frame(frame, motion_.samples, numbers));
   }
 }
 
+std::vector<RawMotion> KernelUpConverter::led_to_keys(std::vector<RawMotion> words) const {
+  if (finer_ == 1) return words;
+  // A sample's centre is in the middle of its key pixels: as far behind the centre of the first of these.
+  const int centre = ((finer_ - 1) << motion_.vector_fraction) / 2;
+  const int most = 1 << (finer_configuration(mode_.motion, finer_).config().vector_range + motion_.vector_fraction);
+  for (RawMotion& word : words) {
+    word.x *= finer_, word.y *= finer_;
+    for (RawKeyVector& key : word.key) {
+      key.x = key.x * finer_ + centre, key.y = key.y * finer_ + centre;
+      if (!key.there || key.x < -most || key.x >= most || key.y < -most || key.y >= most) key = {};
+    }
+  }
+  return words;
+}
+
 std::vector<RawMotion> KernelUpConverter::field(const ref::Scene& between, double a, const std::vector<bool>& still) {
-  ref::View seen = view(motion_.samples);
+  ref::View seen = view(samples_);
   if (mode_.half_field) seen.width /= 2, seen.height /= 2;
   ref::Between motion = ref::follow(mode_.method, *scenes_[0], *scenes_[1], between, a, seen);
   ref::OfKeys<ref::LightChange> change;
@@ -253,13 +297,14 @@ void KernelUpConverter::drop_hidden(const ref::Scene& between, const std::vector
   words.erase(std::remove_if(words.begin(), words.end(), hidden), words.end());
 }
 
-std::uint64_t KernelUpConverter::show_static(ref::Colours& colour) const {
+std::uint64_t KernelUpConverter::show_static(const std::vector<RawMotion>& words, int width,
+                                             ref::Colours& colour) const {
   std::vector<bool> moving(colour.size(), false);
-  for (const RawMotion& word : input_.motion) moving[std::size_t(word.y) * input_.width + word.x] = true;
+  for (const RawMotion& word : words) moving[std::size_t(word.y) * width + word.x] = true;
   std::uint64_t pixels = 0;
   for (std::size_t at = 0; at < colour.size(); ++at) {
     if (moving[at]) continue;
-    const ref::ObjectPixel& shown = static_buffer_.at(int(at) % input_.width, int(at) / input_.width);
+    const ref::ObjectPixel& shown = static_buffer_.at(int(at) % width, int(at) / width);
     colour[at] = shown.colour;
     pixels += shown.object() != 0;
   }
@@ -267,8 +312,7 @@ std::uint64_t KernelUpConverter::show_static(ref::Colours& colour) const {
 }
 
 KernelFrameBetween KernelUpConverter::at(const ref::Scene& between, double a) {
-  const int samples = motion_.samples;
-  ref::Geometry geometry(between, view(samples));
+  ref::Geometry geometry(between, view(samples_));
   const ref::DrawnFrame whole = drawn(geometry);
 
   KernelFrameBetween out;
@@ -277,35 +321,46 @@ KernelFrameBetween KernelUpConverter::at(const ref::Scene& between, double a) {
     still = ref::static_instances(*scenes_[0], *scenes_[1], between, double(whole.width) / whole.height);
     out.static_instances = std::size_t(std::count(still.begin(), still.end(), true));
     if (out.static_instances == 0) still.clear();
-    else out.static_triangles = static_buffer_.show(between, still, view(samples));
+    else out.static_triangles = static_buffer_.show(between, still, view(samples_));
   }
-  input_ = {whole.width, whole.height, {&keys_[0], &keys_[1]}, field(between, a, still), 0};
+  const std::vector<RawMotion> words = field(between, a, still);
+  input_ = {whole.width * finer_, whole.height * finer_, {&keys_[0], &keys_[1]}, led_to_keys(words), 0};
   input_.weight = int(std::floor((1 - a) * (1 << motion_.weight_bits) + 0.5));
-  const CompensatedFrame made = compensator_.run(input_);
 
   out.triangles = list_.triangles.size();
-  out.words = input_.motion.size();
-  out.misses = made.misses;
-  out.cycles = made.cycles;
-  out.rendered = ref::averaged(whole.colour, whole.width, whole.height, samples);
+  out.words = words.size();
+  out.rendered = ref::averaged(whole.colour, whole.width, whole.height, samples_);
   ref::Colours colour = whole.colour;  // holes and background
-  if (!still.empty()) out.shares.still = show_static(colour);
+  if (!still.empty()) out.shares.still = show_static(words, whole.width, colour);
   out.shares.background = colour.size() - out.words - out.shares.still;
   std::vector<std::uint8_t> keys(colour.size(), 0);
   std::vector<std::uint32_t> shows(colour.size(), 0);
-  for (const CompensatedPixel& pixel : made.pixels) {
-    if (out.words == 0) break;  // the word that ends a frame
-    const std::size_t place = std::size_t(pixel.y) * whole.width + pixel.x;
-    keys[place] = std::uint8_t(pixel.keys), shows[place] = 1;
-    if (pixel.keys == 0) {
-      ++out.shares.filled;
-      continue;
+  for (const RawMotion& word : words) shows[std::size_t(word.y) * whole.width + word.x] = 1;
+  const auto place = [&](int x, int y) { return std::size_t(y / finer_) * whole.width + x / finer_; };
+  const auto compensate = [&](const CompensationInput& input) {
+    const CompensatedFrame made = compensator_.run(input);
+    for (std::size_t k = 0; k < 2; ++k) out.misses[k] += made.misses[k];
+    out.cycles += made.cycles;
+    for (const CompensatedPixel& pixel : made.pixels) {
+      if (pixel.keys == 0) continue;
+      const std::size_t at = place(pixel.x, pixel.y);
+      keys[at] = std::uint8_t(pixel.keys);
+      ++(pixel.keys == 3 ? out.shares.blended : out.shares.copied);
+      for (std::size_t c = 0; c < 3; ++c) colour[at][c] = ref::displayed_colour(pixel.rgb[c], motion_.colour_bits);
     }
-    ++(pixel.keys == 3 ? out.shares.blended : out.shares.copied);
-    for (std::size_t c = 0; c < 3; ++c) colour[place][c] = ref::displayed_colour(pixel.rgb[c], motion_.colour_bits);
+  };
+  compensate(input_);
+  if (two_faces()) {
+    CompensationInput again{input_.width, input_.height, {&second_keys_[0], &second_keys_[1]}, {}, input_.weight};
+    for (const RawMotion& word : input_.motion) {
+      if (keys[place(word.x, word.y)] == 0) again.motion.push_back(word);
+    }
+    out.second_words = again.motion.size();
+    if (out.second_words != 0) compensate(again);
   }
-  out.colour = ref::averaged(colour, whole.width, whole.height, samples);
-  out.of_keys = ref::made_of_keys(keys, shows, whole.width, whole.height, samples);
+  out.shares.filled = out.words - out.shares.blended - out.shares.copied;
+  out.colour = ref::averaged(colour, whole.width, whole.height, samples_);
+  out.of_keys = ref::made_of_keys(keys, shows, whole.width, whole.height, samples_, out.shares);
   return out;
 }
 

@@ -50,13 +50,20 @@ struct KernelUpConversion {
   // What stands still between the keys comes from an S-buffer, and only what moves is drawn and compensated. Of exact
   // motion, a whole field, and configurations with a Z-buffer; depths compare where Scene::depth_planes is held.
   bool static_buffer = false;
+  int samples = 0;  // of a pixel of a frame, each way; 0: motion.samples times key_scale
+  // Pixels of a key frame for one of a frame, each way; motion.samples is of a key frame's pixel. More than the
+  // samples, motion.samples 1: keys are drawn for themselves, so much larger, and words and vectors are led to them.
+  int key_scale = 1;
+  ref::KeyFaces key_faces = ref::KeyFaces::kTwo;
 };
 
 struct KernelFrameBetween : ref::FrameBetween {
   std::size_t triangles = 0;         // handed to the pipeline for the field
   std::size_t static_triangles = 0;  // and for the S-buffer: 0 where it showed what stands still already
   std::size_t static_instances = 0;  // that the S-buffer shows; 0: the ordinary method
-  std::size_t words = 0;  // of motion: pixels of the field that show a face, and that the S-buffer does not hide
+  std::size_t words = 0;         // of motion: pixels of the field that show a face, and that the S-buffer does not hide
+  std::size_t second_words = 0;  // of these, sent once more for the second faces of key pixels
+  // Of both times that words are sent.
   std::array<std::size_t, 2> misses{};  // of each key's cache
   std::size_t cycles = 0;               // that hs_motion_compensate takes where nothing makes it wait
 };
@@ -73,28 +80,35 @@ class KernelUpConverter {
   // `between` is the scene at `a` of the way from the first key to the second. Throws ref::Error where ref::follow
   // does.
   KernelFrameBetween at(const ref::Scene& between, double a);
-  // What its compensation was last given.
+  // What its compensation was last given, for the faces that key pixels show most.
   const CompensationInput& input() const { return input_; }
 
  private:
   // Of the kernels, a face of the scene a pixel.
   ref::DrawnFrame drawn(ref::Geometry&);
   ref::View view(int scale) const;
+  bool two_faces() const { return mode_.key_faces == ref::KeyFaces::kTwo && motion_.samples > 1; }
   // Of the instances that are not `still`, as far as the S-buffer does not hide them; of all if there are none.
   std::vector<RawMotion> field(const ref::Scene& between, double a, const std::vector<bool>& still);
   // `frame` is what the words were read from, `face` that of each of its indices.
   void drop_hidden(const ref::Scene& between, const std::vector<std::uint32_t>& face, const ref::Frame& frame,
                    std::vector<RawMotion>& words) const;
-  // What the S-buffer shows, where no word is; how many pixels show an object.
-  std::uint64_t show_static(ref::Colours& colour) const;
+  // What the S-buffer shows, where no word is, in a picture so wide; how many pixels show an object.
+  std::uint64_t show_static(const std::vector<RawMotion>& words, int width, ref::Colours& colour) const;
+  // Of the colours and faces of `drawn`, in the key's format.
+  KeyFrame stored(const ref::KeyFrame& drawn) const;
+  // Words and vectors as keys see them that are finer than samples.
+  std::vector<RawMotion> led_to_keys(std::vector<RawMotion> words) const;
 
   const KernelUpConversion mode_;
   const Config motion_;
+  const int samples_;  // of a pixel of a frame
+  const int finer_;    // pixels of a key frame for a sample; 1 unless there are more
   std::unique_ptr<Engine> colour_engine_, motion_engine_;
   Compensator compensator_;
   StaticBuffer static_buffer_;
   std::array<std::optional<ref::Scene>, 2> scenes_;
-  std::array<KeyFrame, 2> keys_;
+  std::array<KeyFrame, 2> keys_, second_keys_;
   std::array<ref::Colours, 2> key_colours_;
   CompensationInput input_;
   ref::SnappedList list_;  // what the field was last drawn of

@@ -15,7 +15,7 @@
 
 namespace halfspace::model {
 
-// Row by row. Colours of colour_bits; the face that a pixel shows, 0: the background, or more than one.
+// Row by row. Colours of colour_bits; the face that a pixel shows and that they are of, 0: none.
 struct KeyFrame {
   int width = 0, height = 0;
   std::vector<std::array<std::uint8_t, 3>> rgb;

@@ -104,9 +104,36 @@ std::optional<glm::dvec3> fetch(const KeyFrame& key, const glm::dvec2& place, st
   return of_four(taps, x, y, tx, ty, mode);
 }
 
+namespace {
+
+// Of one pixel of the field.
+struct OfTheKeys {
+  std::uint8_t keys = 0;  // that show it
+  OfKeys<glm::dvec3> colour;
+};
+
+OfTheKeys fetched(const OfKeys<KeyFrame>& keys, const MotionField& field, std::size_t at, std::uint32_t identity,
+                  const CompensationMode& mode) {
+  OfTheKeys out;
+  const double scale = double(keys[0].width) / field.width;
+  const std::size_t x = at % std::size_t(field.width), y = at / std::size_t(field.width);
+  const glm::dvec2 centre(double(x) + 0.5, double(y) + 0.5);
+  for (int key = 0; key < kKeys; ++key) {
+    const auto& vector = field.to_key[key][at];
+    if (!vector || !mode.use[key]) continue;
+    const auto colour = fetch(keys[key], (centre + *vector) * scale, identity, mode);
+    if (!colour) continue;
+    out.keys |= std::uint8_t(1 << key);
+    out.colour[key] = *colour;
+  }
+  return out;
+}
+
+}  // namespace
+
 Compensated compensate(const OfKeys<KeyFrame>& keys, const MotionField& field, const Identities& identities, double a,
-                       const CompensationMode& mode, const LightPlanes& light, const Colours& rendered) {
-  const int samples = field.width / keys[0].width;
+                       const CompensationMode& mode, const LightPlanes& light, const Colours& rendered,
+                       const OfKeys<KeyFrame>* second) {
   const OfKeys<double> time{1 - a, a};
   Compensated out{rendered, std::vector<std::uint8_t>(field.face.size(), 0), {}};
   for (std::size_t at = 0; at < field.face.size(); ++at) {
@@ -114,32 +141,26 @@ Compensated compensate(const OfKeys<KeyFrame>& keys, const MotionField& field, c
       ++out.shares.background;
       continue;
     }
-    const std::size_t x = at % std::size_t(field.width), y = at / std::size_t(field.width);
-    const glm::dvec2 centre(double(x) + 0.5, double(y) + 0.5);
-    OfKeys<glm::dvec3> colour;
-    for (int key = 0; key < kKeys; ++key) {
-      const auto& vector = field.to_key[key][at];
-      if (!vector || !mode.use[key]) continue;
-      const glm::dvec2 place = (centre + *vector) / double(samples);
-      const auto fetched = fetch(keys[key], place, identities[field.face[at]], mode);
-      if (!fetched) continue;
-      out.keys[at] |= std::uint8_t(1 << key);
-      colour[key] = *fetched;
-      if (!light[key].empty()) colour[key] += light[key][at];
-    }
-    if (out.keys[at] == 0) {
+    const std::uint32_t identity = identities[field.face[at]];
+    OfTheKeys of = fetched(keys, field, at, identity, mode);
+    if (of.keys == 0 && second) of = fetched(*second, field, at, identity, mode);
+    out.keys[at] = of.keys;
+    if (of.keys == 0) {
       ++out.shares.filled;
       continue;
     }
-    ++(out.keys[at] == 3 ? out.shares.blended : out.shares.copied);
-    const glm::dvec3 sum = out.keys[at] == 3 ? time[0] * colour[0] + time[1] * colour[1] : colour[out.keys[at] - 1];
+    for (int key = 0; key < kKeys; ++key) {
+      if (!light[key].empty()) of.colour[key] += light[key][at];
+    }
+    ++(of.keys == 3 ? out.shares.blended : out.shares.copied);
+    const glm::dvec3 sum = of.keys == 3 ? time[0] * of.colour[0] + time[1] * of.colour[1] : of.colour[of.keys - 1];
     for (int c = 0; c < 3; ++c) out.colour[at][c] = std::uint8_t(std::floor(std::clamp(sum[c], 0.0, 255.0) + 0.5));
   }
   return out;
 }
 
 std::vector<bool> made_of_keys(const std::vector<std::uint8_t>& keys, const std::vector<std::uint32_t>& face, int width,
-                               int height, int samples) {
+                               int height, int samples, Shares& shares) {
   std::vector<bool> made(std::size_t(width / samples) * (height / samples), false), rendered(made);
   for (int y = 0; y < height / samples * samples; ++y) {
     for (int x = 0; x < width / samples * samples; ++x) {
@@ -150,7 +171,11 @@ std::vector<bool> made_of_keys(const std::vector<std::uint8_t>& keys, const std:
       else made[pixel] = true;
     }
   }
-  for (std::size_t pixel = 0; pixel < made.size(); ++pixel) made[pixel] = made[pixel] && !rendered[pixel];
+  for (std::size_t pixel = 0; pixel < made.size(); ++pixel) {
+    shares.pixels += made[pixel] || rendered[pixel];
+    shares.rendered += rendered[pixel];
+    made[pixel] = made[pixel] && !rendered[pixel];
+  }
   return made;
 }
 

@@ -18,7 +18,7 @@ enum class Filter { kNearest, kBilinear, kArea, kBicubic };
 constexpr Filter kFilters[] = {Filter::kNearest, Filter::kBilinear, Filter::kArea, Filter::kBicubic};
 const char* name_of(Filter);  // "nearest", …
 
-// width · height pixels, row 0 on top.
+// width · height pixels, row 0 on top. Identity and colour are of one thing that the pixel shows.
 struct KeyFrame {
   int width, height;
   Colours colour;
@@ -51,9 +51,12 @@ std::optional<glm::dvec3> fetch(const KeyFrame&, const glm::dvec2& place, std::u
 // What is added to what a key shows, for each pixel of the field; empty: nothing.
 using LightPlanes = OfKeys<std::vector<glm::dvec3>>;
 
-struct Shares {  // pixels
+struct Shares {
+  // Pixels of the field; of a frame with samples a pixel, samples.
   std::uint64_t background = 0, blended = 0, copied = 0, filled = 0;
   std::uint64_t still = 0;  // of what stands still, with a static buffer
+  // Pixels of the picture: that the field covers, and of these any sample of which was filled.
+  std::uint64_t pixels = 0, rendered = 0;
 };
 
 struct Compensated {
@@ -62,16 +65,18 @@ struct Compensated {
   Shares shares;
 };
 
-// Pixels of the field, of which a key pixel has 1, 2 or 4 each way. `a` is how far the frame is from the first key to
-// the second. A pixel that no key shows is taken from `rendered`, the frame between as it is rendered; so is the
-// background.
+// Keys have a whole number of pixels for one of the field, or the other way round. `a` is how far the frame is from the
+// first key to the second. A pixel that no key shows is asked of `second`, if there are such: the same keys, of other
+// things that their pixels show. One that these do not show either is taken from `rendered`, the frame between as it is
+// rendered; so is the background.
 Compensated compensate(const OfKeys<KeyFrame>&, const MotionField&, const Identities&, double a,
-                       const CompensationMode&, const LightPlanes&, const Colours& rendered);
+                       const CompensationMode&, const LightPlanes&, const Colours& rendered,
+                       const OfKeys<KeyFrame>* second = nullptr);
 
 // Pixels of a picture of `samples` each way that keys have a part in, and what is rendered for want of a key has not.
-// `keys` as Compensated has it, `face` of the field.
+// `keys` as Compensated has it, `face` of the field. Counts the pixels in `shares`.
 std::vector<bool> made_of_keys(const std::vector<std::uint8_t>& keys, const std::vector<std::uint32_t>& face, int width,
-                               int height, int samples);
+                               int height, int samples, Shares& shares);
 
 }  // namespace halfspace::ref
 

@@ -44,6 +44,44 @@ std::vector<std::uint32_t> groups_of(const Mesh& mesh) {
   return of_face;
 }
 
+// The samples of a pixel that show one identity.
+struct Part {
+  std::uint32_t identity;
+  unsigned samples;
+  std::array<unsigned, 3> sum;
+};
+
+std::vector<Part> parts_of(const DrawnFrame& frame, int x, int y, int samples, const Identities& identities) {
+  std::vector<Part> parts;
+  for (int s = 0; s < samples * samples; ++s) {
+    const std::size_t at = std::size_t(y + s / samples) * frame.width + x + s % samples;
+    const std::uint32_t identity = identities[frame.face[at]];
+    if (identity == 0) continue;
+    const auto same = [&](const Part& part) { return part.identity == identity; };
+    auto part = std::find_if(parts.begin(), parts.end(), same);
+    if (part == parts.end()) part = parts.insert(part, Part{identity, 0, {}});
+    ++part->samples;
+    for (int c = 0; c < 3; ++c) part->sum[c] += frame.colour[at][c];
+  }
+  std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.samples > b.samples; });
+  return parts;
+}
+
+KeyFrame ranked_key_frame(const DrawnFrame& frame, int samples, const Identities& identities, std::size_t rank) {
+  KeyFrame key{frame.width / samples, frame.height / samples, {}, {}};
+  key.colour = averaged(frame.colour, frame.width, frame.height, samples);
+  key.identity.assign(key.colour.size(), 0);
+  for (std::size_t at = 0; at < key.colour.size(); ++at) {
+    const int x = int(at) % key.width * samples, y = int(at) / key.width * samples;
+    const std::vector<Part> parts = parts_of(frame, x, y, samples, identities);
+    if (parts.size() <= rank) continue;
+    const Part& part = parts[rank];
+    key.identity[at] = part.identity;
+    for (int c = 0; c < 3; ++c) key.colour[at][c] = std::uint8_t((2 * part.sum[c] + part.samples) / (2 * part.samples));
+  }
+  return key;
+}
+
 }  // namespace
 
 DrawnFrame draw_frame(Geometry& geometry, const Look& look) {
@@ -73,6 +111,14 @@ Colours averaged(const Colours& colours, int width, int height, int samples) {
 }
 
 KeyFrame key_frame(const DrawnFrame& frame, int samples, const Identities& identities) {
+  return ranked_key_frame(frame, samples, identities, 0);
+}
+
+KeyFrame second_key_frame(const DrawnFrame& frame, int samples, const Identities& identities) {
+  return ranked_key_frame(frame, samples, identities, 1);
+}
+
+KeyFrame pure_key_frame(const DrawnFrame& frame, int samples, const Identities& identities) {
   KeyFrame key{frame.width / samples, frame.height / samples, {}, {}};
   key.colour = averaged(frame.colour, frame.width, frame.height, samples);
   for (int y = 0; y < frame.height; y += samples) {

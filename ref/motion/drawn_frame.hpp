@@ -30,8 +30,14 @@ DrawnFrame draw_frame(Geometry&, const Look&);
 // A pixel for samples x samples: their mean, rounded half up.
 Colours averaged(const Colours&, int width, int height, int samples);
 
-// A pixel for samples x samples; one that shows more than one identity has 0.
+// A pixel for samples x samples. Of the identities that it shows the one with the most of its samples, of as many the
+// one whose first sample comes first, row by row; and the mean of that one's own samples, rounded half up. What shows
+// nothing has identity 0, and the mean of all.
 KeyFrame key_frame(const DrawnFrame&, int samples, const Identities&);
+// Likewise of the identity that comes next by that order; 0 where there is but one.
+KeyFrame second_key_frame(const DrawnFrame&, int samples, const Identities&);
+// The mean of all samples; a pixel that shows more than one identity, or the background too, has 0.
+KeyFrame pure_key_frame(const DrawnFrame&, int samples, const Identities&);
 
 // The number of the face itself.
 Identities face_identities(const Scene&);

@@ -38,6 +38,11 @@ LightPlanes doubled(const LightPlanes& light, int width, int height) {
 
 }  // namespace
 
+const char* name_of(KeyFaces faces) {
+  constexpr const char* kNames[] = {"pure", "most", "two"};
+  return kNames[int(faces)];
+}
+
 Interval::Interval(const Scene& first, const Scene& second, const UpConversion& mode)
     : scenes_{first, second},
       mode_(mode),
@@ -54,9 +59,25 @@ Interval::Interval(const Scene& first, const Scene& second, const UpConversion& 
         "a static buffer needs exact motion and a vector a sample, as what moves is held against its depths: leave it "
         "out with straight lines or half a field");
   }
+  if (mode.samples % mode.key_scale != 0 && mode.key_scale % mode.samples != 0)
+    throw Error("pixels of a key frame for one of a frame: take a number that divides the samples, or a multiple");
+  if (mode.key_scale != 1 && !by_samples) throw Error("key frames that are finer than frames need a vector a sample");
+  const bool mixed = mode.samples > mode.key_scale;
+  // Without the test of what a place shows colours are those of the frame that is shown.
+  const bool pure =
+      mode.key_faces == KeyFaces::kPure || mode.field != FieldSize::kSamples || !mode.compensation.index_test;
+  if (mixed && !pure && mode.key_faces == KeyFaces::kTwo) second_.emplace();
   for (int k = 0; k < kKeys; ++k) {
     const DrawnFrame frame = draw_frame(*frames_.keys[k], {frames_.format, mode.shading, mode.texture});
-    keys_[k] = key_frame(frame, mode.samples, identities_);
+    key_colours_[k] = averaged(frame.colour, frame.width, frame.height, mode.samples);
+    if (mode.key_scale > mode.samples) {
+      const Drawn fine = drawn(mode.width * mode.key_scale, mode.height * mode.key_scale);
+      keys_[k] = key_frame(draw_frame(*fine.keys[k], {fine.format, mode.shading, mode.texture}), 1, identities_);
+      continue;
+    }
+    const int samples = mode.samples / mode.key_scale;
+    keys_[k] = pure ? pure_key_frame(frame, samples, identities_) : key_frame(frame, samples, identities_);
+    if (second_) (*second_)[k] = second_key_frame(frame, samples, identities_);
     if (mode.samples == 1 || mode.field == FieldSize::kSamples) continue;
     // A pixel has one vector, so it goes by what it shows in its middle.
     const Drawn middle = drawn(mode.width, mode.height);
@@ -94,11 +115,12 @@ FrameBetween Interval::at(const Scene& between, double a) {
     field = doubled(field);
   }
   const bool by_samples = mode_.field == FieldSize::kSamples;
-  Compensated made =
-      compensate(keys_, field, identities_, a, mode_.compensation, light, by_samples ? frame.colour : out.rendered);
+  Compensated made = compensate(keys_, field, identities_, a, mode_.compensation, light,
+                                by_samples ? frame.colour : out.rendered, second_ ? &*second_ : nullptr);
   out.colour = by_samples ? averaged(made.colour, field.width, field.height, mode_.samples) : std::move(made.colour);
   out.shares = made.shares;
-  out.of_keys = made_of_keys(made.keys, field.face, field.width, field.height, by_samples ? mode_.samples : 1);
+  out.of_keys =
+      made_of_keys(made.keys, field.face, field.width, field.height, by_samples ? mode_.samples : 1, out.shares);
   out.shares.background -= still, out.shares.still = still;
   return out;
 }

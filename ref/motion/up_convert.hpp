@@ -17,6 +17,15 @@ enum class FieldSize {
   kSamples,  // a vector a sample of the frames, which are averaged after compensation
 };
 
+// What a key pixel of several samples keeps, where they show more than one face.
+enum class KeyFaces {
+  kPure,  // nothing: no one knows which share of its colour is whose
+  kMost,  // the face that most of them show, and their own mean
+  kTwo,   // and of the face that comes next, which is asked for what no key shows by the first
+};
+constexpr KeyFaces kKeyFaces[] = {KeyFaces::kPure, KeyFaces::kMost, KeyFaces::kTwo};
+const char* name_of(KeyFaces);  // "pure", …
+
 struct UpConversion {
   int width, height;    // of a frame; even for half a field
   RasterFormat format;  // what is drawn fits it; its own size counts for nothing
@@ -27,6 +36,10 @@ struct UpConversion {
   VectorMapping mapping = VectorMapping::kLinear;
   CompensationMode compensation = {};
   FieldSize field = FieldSize::kSamples;
+  KeyFaces key_faces = KeyFaces::kTwo;  // of a vector a sample; else pixels go by what they show in their middle
+  // Pixels of a key frame for one of a frame, each way: divides the samples, or is a multiple of them. Keys that are
+  // finer than the samples are drawn for themselves. 1 unless there is a vector a sample.
+  int key_scale = 1;
   bool surfaces = false;  // identity is the surface, not the face
   bool relight = false;   // of exact motion alone
   // What stands still between the keys is as it is rendered, and has no part in the field. Of exact motion, and a
@@ -48,6 +61,7 @@ class Interval {
   Interval(const Interval&) = delete;
 
   const KeyFrame& key(int k) const { return keys_[k]; }
+  const Colours& key_colour(int k) const { return key_colours_[k]; }  // the frame as it is shown
   // `between` is the scene at a of the way from the first key to the second. Error where `follow` has one.
   FrameBetween at(const Scene& between, double a);
 
@@ -67,6 +81,8 @@ class Interval {
   const Identities identities_;
   Drawn frames_, field_;
   OfKeys<KeyFrame> keys_;
+  std::optional<OfKeys<KeyFrame>> second_;
+  OfKeys<Colours> key_colours_;
 };
 
 // What up-conversion is compared with: the mean of both keys, and the nearer one, of two as near the first.

@@ -70,7 +70,8 @@ void add(ref::Shares& sum, const ref::Shares& s) {
 std::uint64_t key_frame_bits(const Config& c) {
   const std::uint64_t pixels =
       std::uint64_t((c.width + c.samples - 1) / c.samples) * std::uint64_t((c.height + c.samples - 1) / c.samples);
-  return 2 * pixels * std::uint64_t(key_pixel_bits(c));
+  const int faces = c.samples > 1 ? 2 : 1;
+  return std::uint64_t(2 * faces) * pixels * std::uint64_t(key_pixel_bits(c));
 }
 
 std::vector<ref::FrameBetween> motion_reference(const MotionInput& input, const Configuration& motion) {

@@ -47,7 +47,7 @@ std::vector<ref::FrameBetween> motion_reference(const MotionInput&, const Config
 MotionTrade measure_motion(const MotionInput&, const Configuration& motion, int lanes,
                            const std::vector<ref::FrameBetween>* reference = nullptr);
 
-// Bits of two key frames.
+// Bits of two key frames, of which a pixel of several samples has two faces.
 std::uint64_t key_frame_bits(const Config& motion);
 
 }  // namespace halfspace::model

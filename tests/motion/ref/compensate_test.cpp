@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "ref/error.hpp"
 #include "tests/motion/ref/squares.hpp"
 
 namespace halfspace::ref {
@@ -110,6 +111,51 @@ TEST(Compensate, EdgesBetweenPixelsBySamples) {
   EXPECT_GT(std::abs(in[0] - out[0]), 100);
   mode.field = FieldSize::kPixels;  // all or nothing
   EXPECT_GT(largest_difference(between(moved, 0.5, with(Filter::kBilinear, mode)).colour, made.rendered), 50);
+}
+
+// A strip of half a pixel over a square, a quarter of a pixel in either of two columns. Without mixed pixels neither it
+// has a key nor the square between the centres of these columns; by the face of most samples the square has; by two
+// both have, and their own colours.
+TEST(Compensate, EdgesOfKeysKeepTheirFaces) {
+  const At moved = [](double a) {
+    return squares({{20 + 8 * a, 30, 50, 40, 0, {1, 0, 0}}, {40.75 + 8 * a, 30, 0.5, 40, 1, {0, 0, 1}}});
+  };
+  UpConversion mode = surfaces(kPlain);
+  mode.samples = 4;
+  const auto made = [&](KeyFaces faces) {
+    mode.key_faces = faces;
+    return between(moved, 0.5, with(Filter::kBilinear, mode));
+  };
+  const FrameBetween pure = made(KeyFaces::kPure), most = made(KeyFaces::kMost), two = made(KeyFaces::kTwo);
+  EXPECT_EQ(pure.shares.filled, 2u * 160 + 2u * 160);
+  EXPECT_EQ(pure.shares.rendered, 2u * 40);
+  EXPECT_EQ(most.shares.filled, 2u * 160);
+  EXPECT_EQ(two.shares.filled, 0u);
+  EXPECT_EQ(two.shares.rendered, 0u);
+  EXPECT_EQ(two.colour, two.rendered);
+  EXPECT_EQ(two.rendered, pure.rendered);
+}
+
+// Keys of a pixel a sample have no mixed pixels, and those finer than the frame no more colours to lend.
+TEST(Compensate, FinerKeysAreNearer) {
+  const At moved = [](double a) { return squares({{20 + 7.3 * a, 30 + 1.9 * a, 50, 40}}, noise(16)); };
+  UpConversion mode = surfaces(kPlain);
+  mode.texture = TextureMode{};
+  for (const int samples : {1, 2}) {
+    mode.samples = samples;
+    double last = 0;
+    for (const int scale : {1, 2, 4}) {
+      mode.key_scale = scale;
+      const FrameBetween made = between(moved, 0.5, with(Filter::kBilinear, mode));
+      const double psnr = quality(made.colour, made.rendered, kWidth, kHeight).psnr_y;
+      EXPECT_GT(psnr, last + 2) << samples << " samples, scale " << scale;
+      last = psnr;
+    }
+  }
+  mode.samples = 4, mode.key_scale = 3;
+  EXPECT_THROW(between(moved, 0.5, mode), Error);
+  mode.key_scale = 2, mode.field = FieldSize::kHalf;
+  EXPECT_THROW(between(moved, 0.5, mode), Error);
 }
 
 }  // namespace

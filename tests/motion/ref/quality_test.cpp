@@ -45,8 +45,14 @@ TEST(Psnr, OfSomePixelsAlone) {
 TEST(MadeOfKeys, IsAPixelWithoutARenderedSample) {
   const std::vector<std::uint32_t> face{1, 1, 1, 0, 1, 1, 0, 0};
   const std::vector<std::uint8_t> keys{1, 0, 3, 0, 2, 1, 0, 0};
-  EXPECT_EQ(made_of_keys(keys, face, 4, 2, 2), (std::vector<bool>{false, true}));
-  EXPECT_EQ(made_of_keys(keys, face, 4, 2, 1), (std::vector<bool>{true, false, true, false, true, true, false, false}));
+  Shares shares;
+  EXPECT_EQ(made_of_keys(keys, face, 4, 2, 2, shares), (std::vector<bool>{false, true}));
+  EXPECT_EQ(shares.pixels, 2u);
+  EXPECT_EQ(shares.rendered, 1u);
+  EXPECT_EQ(made_of_keys(keys, face, 4, 2, 1, shares),
+            (std::vector<bool>{true, false, true, false, true, true, false, false}));
+  EXPECT_EQ(shares.pixels, 2u + 5);
+  EXPECT_EQ(shares.rendered, 1u + 1);
 }
 
 TEST(Blocks, AreClassedByTheirOwnPsnr) {
