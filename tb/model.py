@@ -4,6 +4,7 @@
 nobody named, and RTL with a fault in it."""
 
 import argparse
+import os
 import pathlib
 import sys
 
@@ -22,13 +23,30 @@ def precompile(header, verilator, cxx):
     run([*compile_command(verilator, cxx, "-O0"), "-x", "c++-header", header, "-o", f"{header}.gch"], cxx)
 
 
-def build(package, lanes, top, out, libraries, rtl=RTL, verilator="verilator", cxx="c++", optimize="-O0", yosys=None):
+def trace_library(folder, out, verilator, cxx):
+    """What writes waves, as an object file: compiled once beside the other libraries, or where nobody may write there
+    beside the model."""
+    folder = folder if os.access(folder, os.W_OK) else out
+    source = pathlib.Path(run([verilator, "--getenv", "VERILATOR_ROOT"], verilator).strip()) / "include"
+    made = folder / "verilated_fst_c.o"
+    if not made.exists():
+        part = made.with_suffix(f".{os.getpid()}.o")
+        run([*compile_command(verilator, cxx, "-O1"), "-c", source / "verilated_fst_c.cpp", "-o", part], cxx)
+        part.replace(made)
+    return made
+
+
+def build(package, lanes, top, out, libraries, rtl=RTL, verilator="verilator", cxx="c++", optimize="-O0", yosys=None,
+          trace=False):
     """The bench of `top` in folder `out`. `libraries`: the harness and Verilator's, in this order. With `yosys`: of the
-    netlist that it makes."""
-    verilate(package, top, lanes, out, rtl, verilator, yosys)
+    netlist that it makes; `trace`: it writes waves, and takes Verilator's library for these as well."""
+    folder = pathlib.Path(libraries[0]).parent
+    verilate(package, top, lanes, out, rtl, verilator, yosys, trace, folder, cxx)
     # The compiler takes what is precompiled where it was compiled in the same way, and the header itself otherwise.
-    header = pathlib.Path(libraries[0]).parent / "header.hpp"
+    header = folder / "header.hpp"
     include = ["-include", header] if header.exists() else []
+    if trace:
+        libraries = [libraries[0], trace_library(folder, out, verilator, cxx), *libraries[1:2], "-lz"]
     # Everything in one go: the headers cost more than the model.
     run([*compile_command(verilator, cxx, optimize), *include, f"-I{out}", out / "model.cpp", *libraries,
          "-o", out / "bench"], cxx)
@@ -47,6 +65,10 @@ def main():
                         help="folder for the model; the program is OUT/bench")
     parser.add_argument("--library", type=pathlib.Path, action="append",
                         help="the harness and Verilator's library, in this order: --library A.a --library B.a")
+    parser.add_argument("--rtl", type=pathlib.Path, default=RTL,
+                        help="the modules, in folders as those of rtl/: to try RTL of one's own (default: %(default)s)")
+    parser.add_argument("--trace", action="store_true", help="so that --wave of the bench writes waves")
+    parser.add_argument("--log", type=pathlib.Path, help="write here what goes wrong, and nothing else anywhere")
     parser.add_argument("--verilator", default="verilator")
     parser.add_argument("--yosys", help="this program, to simulate the netlist that it makes of the RTL")
     parser.add_argument("--cxx", default="c++")
@@ -58,9 +80,15 @@ def main():
         if args.header:
             precompile(args.header, args.verilator, args.cxx)
             return 0
-        print(build(args.package, args.lanes, args.top, args.out, args.library, verilator=args.verilator, cxx=args.cxx,
-                    optimize=args.optimize, yosys=args.yosys))
+        bench = build(args.package, args.lanes, args.top, args.out, args.library, args.rtl, args.verilator, args.cxx,
+                      args.optimize, args.yosys, args.trace)
+        if not args.log:
+            print(bench)
     except Broken as e:
+        if args.log:
+            args.log.parent.mkdir(parents=True, exist_ok=True)
+            args.log.write_text(f"{e}\n")
+            return 1
         print(f"model: {e}", file=sys.stderr)
         return 1
     return 0

@@ -7,13 +7,15 @@ Verilator names its files by the hash of what is in them. This runs it with the 
   ports.inc  HS_PORT(name, bits, is_input) for every port, with the width in bits, which sizeof does not tell,
              HS_WATCH(stream, path, bits) for every hs_stream inside, path being its C++ name without its wires, and
              HS_CONSTANT(name, value) for every number of the package
-  title.inc  what the model is: HS_TOP, HS_CONFIG, HS_LANES_X, HS_LANES_Y
+  title.inc  what the model is: HS_TOP, HS_CONFIG, HS_LANES_X, HS_LANES_Y; HS_TRACED of one that writes waves, and of
+             others HS_TRACED_BUILD, the command that builds one
   fast.cpp   includes what runs every cycle
   slow.cpp   includes constructors and reset
   model.cpp  includes both and their binding to the harness: of a unit the headers cost more than the model
 """
 
 import argparse
+import json
 import pathlib
 import re
 import subprocess
@@ -69,8 +71,20 @@ def netlist_of(read, top, given, out, yosys):
          f'chformal -remove; opt_clean; write_verilog -noattr "{out}"'], "yosys")
 
 
-def verilate(package, top, lanes, out, rtl=RTL, verilator="verilator", yosys=None):
-    """Fills the folder `out`; the sources that were read. With `yosys`: of the netlist that it makes."""
+def traced_build(package, top, lanes, rtl, verilator, yosys, libraries, cxx):
+    """The words of the command that builds the same model with waves, but for its folder."""
+    folder = [pathlib.Path(libraries).resolve() / f"lib{name}.a"
+              for name in ("halfspace_tb", "halfspace_verilated")] if libraries else []
+    words = ["python3", TB / "model.py", "--trace", "--top", top, "--lanes", lanes, "--package", package.resolve(),
+             "--rtl", pathlib.Path(rtl).resolve(), "--verilator", verilator, "--cxx", cxx]
+    return [*map(str, words), *(["--yosys", yosys] if yosys else []),
+            *(word for library in folder for word in ("--library", str(library)))]
+
+
+def verilate(package, top, lanes, out, rtl=RTL, verilator="verilator", yosys=None, trace=False, libraries=None,
+             cxx="c++"):
+    """Fills the folder `out`; the sources that were read. With `yosys`: of the netlist that it makes. `trace`: so that
+    it writes waves. `libraries`: the folder with those that a bench is linked with, for the build of one that does."""
     name = CONFIG.search(package.read_text()) if package.exists() else None
     if not name:
         raise Broken(f"{package}: no package of formats: print one with `halfspace package --config C -o {package}`")
@@ -87,15 +101,18 @@ def verilate(package, top, lanes, out, rtl=RTL, verilator="verilator", yosys=Non
     if yosys:
         netlist_of(read, top, given, out / "netlist.v", yosys)
         inputs = [out / "netlist.v"]  # which has no parameters any more
-    run([verilator, "--cc", "--prefix", "Vmodel", "--Mdir", out, "--top-module", top, *FLAGS,
+    waves = ["--trace-fst", "--trace-structs"] if trace else []
+    run([verilator, "--cc", "--prefix", "Vmodel", "--Mdir", out, "--top-module", top, *FLAGS, *waves,
          TB / "lint.vlt", TB / "watch.vlt", *inputs], verilator)
     found = ports(out / "Vmodel.h")
     found += watches(out / "Vmodel___024root.h", found)
     found += [f"HS_CONSTANT({name}, {value})\n" for name, value in numbers.items()]
     (out / "ports.inc").write_text("".join(found))
     lanes_x, lanes_y = LANES[lanes]
+    again = traced_build(package, top, lanes, rtl, verilator, yosys, libraries, cxx)
+    how = "#define HS_TRACED\n" if trace else f"#define HS_TRACED_BUILD {', '.join(map(json.dumps, again))}\n"
     (out / "title.inc").write_text(f'#define HS_TOP "{top}"\n#define HS_CONFIG "{name.group(1)}"\n'
-                                   f"#define HS_LANES_X {lanes_x}\n#define HS_LANES_Y {lanes_y}\n")
+                                   f"#define HS_LANES_X {lanes_x}\n#define HS_LANES_Y {lanes_y}\n" + how)
     files = sorted(path.name for path in out.glob("Vmodel*.cpp"))
     is_slow = [name.endswith("__Slow.cpp") or name == "Vmodel__Syms.cpp" for name in files]
     for target, slow in (("fast.cpp", False), ("slow.cpp", True)):
@@ -113,10 +130,13 @@ def main():
     parser.add_argument("--out", type=pathlib.Path, required=True, help="folder for the C++")
     parser.add_argument("--package", type=pathlib.Path, required=True, help="hs_formats_pkg.sv of the configuration")
     parser.add_argument("--yosys", help="this program, to take the netlist that it makes of the module")
+    parser.add_argument("--libraries", type=pathlib.Path, help="folder of the libraries of a bench, for --wave")
+    parser.add_argument("--cxx", default="c++", help="compiler of a bench, for --wave (default: %(default)s)")
     parser.add_argument("--depfile", type=pathlib.Path, help="write the sources that were read here, for the build")
     args = parser.parse_args()
     try:
-        read = verilate(args.package, args.top, args.lanes, args.out, verilator=args.verilator, yosys=args.yosys)
+        read = verilate(args.package, args.top, args.lanes, args.out, verilator=args.verilator, yosys=args.yosys,
+                        libraries=args.libraries, cxx=args.cxx)
     except Broken as e:
         print(f"verilate: {e}", file=sys.stderr)
         return 1

@@ -26,7 +26,7 @@ from units import below  # noqa: E402
 
 KEYS = ["why", "file", "find", "with", "unit", "says"]
 BENCH = re.compile(r"^(?:bench (\w+)|cosim) \S+ \w+: (\d+) words on \d+ streams compared, (\d+) mismatches, "
-                   r"\d+ cycles$", re.MULTILINE)
+                   r"(?:(\d+) missing, )?\d+ cycles$", re.MULTILINE)
 FAIL = re.compile(r"^FAIL (\w+): (.*)$", re.MULTILINE)
 
 
@@ -60,9 +60,9 @@ def judge(unit, output, status, says):
     """What is wrong with the report of a unit, or ''. `says`: what it has to report; None: nothing. Of the pipeline no
     stream but the one that `says` names may report."""
     benches = BENCH.findall(output)
-    if [name or "pipeline" for name, _, _ in benches] != [unit]:
+    if [name or "pipeline" for name, _, _, _ in benches] != [unit]:
         return f"{unit} does not end with its report"
-    words, mismatches = int(benches[0][1]), int(benches[0][2])
+    words, mismatches = int(benches[0][1]), int(benches[0][2]) + int(benches[0][3] or 0)
     reports = [text for _, text in FAIL.findall(output)]
     if says is None:
         wrong = words == 0 or mismatches or reports or status

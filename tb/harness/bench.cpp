@@ -3,6 +3,8 @@
 
 #include <cstdio>
 
+#include "tb/report/blame.hpp"
+
 namespace halfspace::tb {
 
 namespace {
@@ -24,11 +26,18 @@ std::size_t Result::mismatches() const {
   return sum;
 }
 
+std::size_t Result::missing() const {
+  std::size_t sum = 0;
+  for (const StreamResult& stream : streams) sum += stream.missing;
+  return sum;
+}
+
 Bench::Bench(Model* model, const Vectors* vectors, const Options* options, std::string name)
     : model_(model),
       vectors_(vectors),
       options_(options),
       name_(std::move(name)),
+      life_(++lives),
       clock_(model->need("clk_i", 1).bit()) {}
 
 // Each unit has its own sequence for a stream; the pipeline has that of the stream's name alone.
@@ -87,15 +96,18 @@ bool Bench::step() {
   for (Receiver& receiver : receivers_) receiver.drive();
   *clock_ = 0;
   model_->eval();
+  model_->show(life_, cycle_, false);
   bool moved = false;
   for (Sender& sender : senders_) moved |= sender.sample();
   for (Receiver& receiver : receivers_) moved |= receiver.sample(cycle_);
   for (Memory& memory : memories_) memory.sample();
   *clock_ = 1;
   model_->eval();
+  model_->show(life_, cycle_, true);
   for (Memory& memory : memories_) memory.answer();
   if (moved && first_move_ == 0) first_move_ = cycle_;
   moves_ += moved;
+  if (moved) last_move_ = cycle_;
   ++cycle_;
   return moved;
 }
@@ -158,30 +170,62 @@ void Bench::idle(int cycles) {
   for (int i = 0; i < cycles; ++i) step();
 }
 
+namespace {
+
+StreamState state_of(const Wires& wires) {
+  return {*wires.valid->bit() != 0, wires.ready == nullptr || *wires.ready->bit() != 0};
+}
+
+}  // namespace
+
+// Of the lives of the model the first one that fails is told.
+void Bench::note_cycle(const Receiver& receiver, Result* result) const {
+  const std::int64_t first = receiver.first_cycle();
+  if (first < 0 || (result->first_life != 0 && result->first_life != life_)) return;
+  if (result->first_life == life_ && first >= result->first_cycle) return;
+  result->first_cycle = first;
+  result->first_life = life_;
+  result->first_model = model_->number();
+}
+
+void Bench::note_life(Result* result) const {
+  if (result->first_life != 0 || result->passed()) return;
+  if (result->first_cycle < 0) result->first_cycle = std::int64_t(last_move_);
+  result->first_life = life_;
+  result->first_model = model_->number();
+}
+
 void Bench::abandon(const std::string& note, Result* result) {
   for (const Receiver& receiver : receivers_) {
     for (const std::string& failure : receiver.failures()) result->failures.push_back(failure + note);
+    note_cycle(receiver, result);
     if (receiver.mismatches() == 0) continue;
     const Stream& stream = *vectors_->find(receiver.name());
-    result->streams.push_back({stream.name, stream.from, stream.to, receiver.words(), receiver.mismatches()});
+    result->streams.push_back({stream.name, stream.from, stream.to, receiver.words(), receiver.mismatches(), 0, {}});
   }
   for (const std::string& failure : failures_) result->failures.push_back(failure + note);
   result->simulated += cycle_;
+  note_life(result);
 }
 
 void Bench::finish(Result* result) {
   for (Receiver& receiver : receivers_) {
     receiver.finish();
     const Stream& stream = *vectors_->find(receiver.name());
-    result->streams.push_back({stream.name, stream.from, stream.to, receiver.words(), receiver.mismatches()});
-    for (const std::string& failure : receiver.failures()) result->failures.push_back(failure);
+    result->streams.push_back({stream.name, stream.from, stream.to, receiver.words(), receiver.mismatches(),
+                               receiver.missing(), receiver.failures()});
+    result->ends[stream.name] = state_of(receiver.wires());
+    note_cycle(receiver, result);
     if (receiver.words() == 0 && !vectors_->is_background()) {
-      result->failures.push_back("empty: no word of " + describe_stream(stream) +
-                                 " was compared; use a vector set that has some");
+      failures_.push_back("empty: no word of " + describe_stream(stream) +
+                          " was compared; use a vector set that has some");
     }
   }
+  for (const Sender& sender : senders_) result->ends[sender.name()] = state_of(sender.wires());
+  blame(*vectors_, result);
   for (const std::string& failure : failures_) result->failures.push_back(failure);
   result->simulated += cycle_;
+  note_life(result);
 }
 
 }  // namespace halfspace::tb

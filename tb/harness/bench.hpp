@@ -9,6 +9,7 @@
 #include <ctime>
 #include <deque>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,13 @@ namespace halfspace::tb {
 
 struct StreamResult {
   std::string name, from, to;
-  std::size_t words = 0, mismatches = 0;
+  std::size_t words = 0, mismatches = 0, missing = 0;
+  std::vector<std::string> failures;
+};
+
+// The wires of a stream when the run ended.
+struct StreamState {
+  bool valid = false, ready = false;
 };
 
 // max(setup, stamps, pixels) cycles, pixels being what the shader takes, is what the units' own rates allow for a
@@ -36,7 +43,12 @@ struct Bound {
 struct Result {
   std::string unit;  // or "pipeline"
   std::vector<StreamResult> streams;
-  std::vector<std::string> failures;
+  // Sentences, of the unit that is wrong first and then `follows`, of those that only pass on what is wrong.
+  std::vector<std::string> failures, follows;
+  std::string first_wrong;                  // that unit; "": not known
+  std::int64_t first_cycle = -1;            // of the first failure, of a hang that of the last word; < 0: none
+  int first_life = 0, first_model = 0;      // the bench and the model, by number, in which that is
+  std::map<std::string, StreamState> ends;  // by stream
   std::uint64_t cycles = 0;
   std::string cycles_of;              // what `cycles` measures
   std::vector<std::size_t> repeated;  // frames that were sent twice
@@ -49,6 +61,7 @@ struct Result {
 
   std::size_t words() const;
   std::size_t mismatches() const;
+  std::size_t missing() const;
   bool passed() const { return failures.empty(); }
 };
 
@@ -90,6 +103,9 @@ class Bench {
   // Collects what was wrong until now, and nothing that is missing: the bench ends before its words do.
   void abandon(const std::string& note, Result* result);
 
+  // Benches that were made: each is a life of a model, from its reset on, whose cycles count from 0.
+  static inline int lives = 0;
+
   std::uint64_t cycle() const { return cycle_; }
   std::uint64_t first_move() const { return first_move_; }
   const std::string& name() const { return name_; }
@@ -104,14 +120,17 @@ class Bench {
   const Vectors* vectors_;
   const Options* options_;
   std::uint64_t seed_for(const std::string& part) const;
+  void note_cycle(const Receiver& receiver, Result* result) const;
+  void note_life(Result* result) const;
 
   std::string name_;
+  int life_;
   std::uint8_t* clock_;
   std::deque<Sender> senders_;
   std::deque<Receiver> receivers_;
   std::deque<Memory> memories_;
   std::vector<std::string> failures_;
-  std::uint64_t cycle_ = 0, first_move_ = 0, moves_ = 0;
+  std::uint64_t cycle_ = 0, first_move_ = 0, last_move_ = 0, moves_ = 0;
   std::chrono::steady_clock::time_point told_ = std::chrono::steady_clock::now();
 };
 

@@ -8,6 +8,9 @@
 #include "Vmodel___024root.h"
 #include "tb/harness/model.hpp"
 #include "title.inc"
+#ifdef HS_TRACED
+#include <verilated_fst_c.h>
+#endif
 
 double sc_time_stamp() { return 0; }
 
@@ -17,6 +20,9 @@ namespace {
 class Binding final : public Model {
  public:
   Binding(std::uint64_t seed, Start start) : Model(HS_TOP, HS_CONFIG, HS_LANES_X, HS_LANES_Y) {
+#ifdef HS_TRACED
+    context_.traceEverOn(true);
+#endif
     context_.randReset(int(start));
     context_.randSeed(int(seed & 0x7fffffff) | 1);
     top_ = std::make_unique<Vmodel>(&context_);
@@ -29,13 +35,39 @@ class Binding final : public Model {
 #undef HS_CONSTANT
 #undef HS_WATCH
 #undef HS_PORT
+#ifdef HS_TRACED
+    if (has_wave()) open_wave();
+#endif
   }
-  ~Binding() override { top_->final(); }
+  ~Binding() override {
+    // Verilator takes the model out of the context that was made last, which may be gone.
+    Verilated::threadContextp(&context_);
+    top_->final();
+#ifdef HS_TRACED
+    if (wave_) wave_->close();
+#endif
+  }
   void eval() override { top_->eval_step(); }
 
  private:
+#ifdef HS_TRACED
+  void open_wave() {
+    wave_ = std::make_unique<VerilatedFstC>();
+    top_->trace(wave_.get(), 99);
+    wave_->set_time_unit("1ns");
+    wave_->set_time_resolution("1ns");
+    wave_->open(wave.file.c_str());
+  }
+  void write_wave(std::uint64_t nanoseconds) override { wave_->dump(nanoseconds); }
+#else
+  void write_wave(std::uint64_t) override {}
+#endif
+
   VerilatedContext context_;
   std::unique_ptr<Vmodel> top_;
+#ifdef HS_TRACED
+  std::unique_ptr<VerilatedFstC> wave_;
+#endif
 };
 
 }  // namespace
@@ -43,5 +75,13 @@ class Binding final : public Model {
 std::unique_ptr<Model> make_model(std::uint64_t seed, Start start) { return std::make_unique<Binding>(seed, start); }
 
 std::string model_top() { return HS_TOP; }
+
+TracedBuild traced_build() {
+#ifdef HS_TRACED
+  return {true, {}};
+#else
+  return {false, {HS_TRACED_BUILD}};
+#endif
+}
 
 }  // namespace halfspace::tb

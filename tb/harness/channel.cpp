@@ -128,7 +128,9 @@ void Receiver::expect(Segment segment) {
 void Receiver::skip_empty(std::uint64_t cycle) {
   while (!done() && position_ == segments_[current_].end) {
     end_cycles_.push_back(cycle);
-    if (++current_ < segments_.size()) position_ = segments_[current_].begin;
+    if (++current_ == segments_.size()) continue;
+    position_ = segments_[current_].begin;
+    if (sink_) sink_->clear();
   }
 }
 
@@ -142,7 +144,7 @@ void Receiver::drive() {
 
 bool Receiver::sample(std::uint64_t cycle) {
   const bool valid = *wires_.valid->bit() != 0;
-  if (is_held_) check_held(valid);
+  if (is_held_) check_held(valid, cycle);
   if (!valid) return false;
   if (wires_.ready == nullptr || *wires_.ready->bit() != 0) {
     is_held_ = false;
@@ -158,7 +160,7 @@ bool Receiver::sample(std::uint64_t cycle) {
 }
 
 // A word that was offered and not taken is still offered, unchanged.
-void Receiver::check_held(bool valid) {
+void Receiver::check_held(bool valid, std::uint64_t cycle) {
   if (valid && std::memcmp(held_.data(), wires_.data->data, std::size_t(wires_.data->bytes)) == 0) return;
   is_held_ = false;
   if (protocol_++ != 0) return;
@@ -169,26 +171,30 @@ void Receiver::check_held(bool valid) {
   } else {
     what += "changed its word while valid and not ready";
   }
-  what += " after " + std::to_string(words_) + " words; held: " + describe_fields(stream, held_.data());
+  what += " after " + std::to_string(words_) + " words, cycle " + std::to_string(cycle) +
+          "; held: " + describe_fields(stream, held_.data());
   if (valid) what += "; now: " + describe_fields(stream, word_at(*wires_.data, held_.size()).data());
-  failures_.push_back(what);
+  fail(what, cycle);
+}
+
+void Receiver::fail(const std::string& sentence, std::uint64_t cycle) {
+  failures_.push_back(sentence);
+  if (first_cycle_ < 0) first_cycle_ = std::int64_t(cycle);
 }
 
 bool Receiver::take(std::uint64_t cycle) {
-  if (sink_ && current_ + 1 >= segments_.size()) {
-    std::memcpy(sink_->append(), wires_.data->data, std::size_t(wires_.data->bytes));
-  }
+  if (sink_) std::memcpy(sink_->append(), wires_.data->data, std::size_t(wires_.data->bytes));
   if (listener_) listener_(word_at(*wires_.data, held_.size()).data());
   if (done()) {
-    take_surplus();
+    take_surplus(cycle);
     return false;
   }
   const Segment& segment = segments_[current_];
   ++words_;
   if (std::memcmp(segment.stream->words[position_], wires_.data->data, std::size_t(wires_.data->bytes)) != 0) {
     if (mismatches_++ == 0) {
-      const WordPlace place{&vectors_, segment.stream, position_, segment.frame, segment.note};
-      failures_.push_back(describe_mismatch(place, word_at(*wires_.data, held_.size()).data()));
+      const WordPlace place{&vectors_, segment.stream, position_, segment.frame, segment.note, std::int64_t(cycle)};
+      fail(describe_mismatch(place, word_at(*wires_.data, held_.size()).data()), cycle);
     }
   }
   ++position_;
@@ -196,16 +202,16 @@ bool Receiver::take(std::uint64_t cycle) {
   return true;
 }
 
-void Receiver::take_surplus() {
+void Receiver::take_surplus(std::uint64_t cycle) {
   if (surplus_++ != 0) return;
   std::string what = "surplus: " + name_ + " sends a word when none is expected";
   if (!segments_.empty()) {
     const Segment& last = segments_.back();
     what = "surplus: " + describe_stream(*last.stream) + " sends a word more than the " +
-           std::to_string(last.end - last.begin) + " of frame " + std::to_string(last.frame) + last.note + ": " +
-           describe_fields(*last.stream, word_at(*wires_.data, held_.size()).data());
+           std::to_string(last.end - last.begin) + " of frame " + std::to_string(last.frame) + last.note + ", cycle " +
+           std::to_string(cycle) + ": " + describe_fields(*last.stream, word_at(*wires_.data, held_.size()).data());
   }
-  failures_.push_back(what);
+  fail(what, cycle);
 }
 
 void Receiver::finish() {

@@ -55,6 +55,8 @@ class Sender {
   // "triangle: 12 of 40 words taken, valid 1, ready 0"
   std::string state() const;
   std::size_t words() const { return words_; }
+  const std::string& name() const { return name_; }
+  const Wires& wires() const { return wires_; }
 
  private:
   void skip_empty();
@@ -77,7 +79,7 @@ class Receiver {
   Receiver(const Wires& wires, const Vectors& vectors, std::string name, std::uint64_t seed, int stall_percent);
 
   void expect(Segment segment);
-  // Keeps what is really received for the last segment of those expected by then.
+  // Keeps what is really received of a segment, until the next one begins: at the end, of the last that came.
   void record_last(Words* sink) { sink_ = sink; }
   // Tells each word that is really received, right or wrong.
   void on_word(std::function<void(const std::uint32_t*)> listener) { listener_ = std::move(listener); }
@@ -92,7 +94,11 @@ class Receiver {
 
   const std::string& name() const { return name_; }
   std::size_t words() const { return words_; }
-  std::size_t mismatches() const { return mismatches_ + surplus_ + missing_ + protocol_; }
+  std::size_t mismatches() const { return mismatches_ + surplus_ + protocol_; }
+  std::size_t missing() const { return missing_; }
+  // The cycle of the first failure that is no missing word; < 0: there is none.
+  std::int64_t first_cycle() const { return first_cycle_; }
+  const Wires& wires() const { return wires_; }
   // Sentences: the first mismatch, the first word of surplus, what is missing, the first fault of the handshake.
   const std::vector<std::string>& failures() const { return failures_; }
   // The cycle of each frame's last word, in the order of the segments.
@@ -100,9 +106,10 @@ class Receiver {
 
  private:
   void skip_empty(std::uint64_t cycle);
-  void check_held(bool valid);
+  void check_held(bool valid, std::uint64_t cycle);
   bool take(std::uint64_t cycle);
-  void take_surplus();
+  void take_surplus(std::uint64_t cycle);
+  void fail(const std::string& sentence, std::uint64_t cycle);
 
   Wires wires_;
   bool drives_ready_;
@@ -113,6 +120,7 @@ class Receiver {
   std::size_t current_ = 0, position_ = 0;
   std::size_t words_ = 0, total_ = 0, mismatches_ = 0, surplus_ = 0, missing_ = 0, protocol_ = 0;
   std::vector<std::string> failures_;
+  std::int64_t first_cycle_ = -1;
   std::vector<std::uint64_t> end_cycles_;
   std::vector<std::uint32_t> held_;
   bool is_held_ = false, shy_ = false;

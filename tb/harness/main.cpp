@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // The program around one Verilated model: of a unit its bench, of hs_pipeline the co-simulation.
+#include <algorithm>
 #include <cstdio>
 #include <set>
 
 #include "tb/harness/options.hpp"
 #include "tb/harness/pipeline.hpp"
 #include "tb/harness/units.hpp"
+#include "tb/report/picture.hpp"
 #include "tb/report/report.hpp"
+#include "tb/report/wave.hpp"
 
 namespace halfspace::tb {
 namespace {
@@ -44,16 +47,28 @@ void report(const Vectors& vectors, const Options& options, const std::vector<Re
   if (!options.json.empty()) write_file(options.json, json_report(vectors, options, results));
 }
 
-int run_bench(const Model& model, Vectors* vectors, const Options& options) {
+Result run_bench(const Model& model, Vectors* vectors, const Options& options) {
   const std::vector<std::string> names = unit_streams(model, *vectors);
   load_streams({names.begin(), names.end()}, vectors);
   const Result result = run_unit(*vectors, options);
-  print_result(*vectors, result);
-  report(*vectors, options, {result});
-  return result.passed() ? 0 : 1;
+  if (!options.only_wave) print_result(*vectors, result);
+  if (!options.only_wave) report(*vectors, options, {result});
+  return result;
 }
 
-int run_cosim(Model* model, Vectors* vectors, const Options& options) {
+void write_pictures(const Options& options, const Vectors& vectors, const Words& shown) {
+  const Frame& frame = vectors.frames.back();
+  const auto png = [&](const std::string& rgba) { return png_of(frame.width, frame.height, rgba); };
+  write_file(options.pictures + "/frame_rtl.png", png(rgba_picture(vectors, shown)));
+  const std::string wrong = wrong_pixels(vectors, shown), file = options.pictures + "/wrong_pixels.png";
+  const long red = std::count(wrong.begin(), wrong.end(), 1), blue = std::count(wrong.begin(), wrong.end(), 2);
+  std::remove(file.c_str());
+  if (red + blue == 0) return;
+  write_file(file, png(map_of_wrong(vectors, wrong)));
+  std::printf("%s: %ld pixels of the last frame are wrong, %ld never came\n", file.c_str(), red, blue);
+}
+
+Result run_cosim(Model* model, Vectors* vectors, const Options& options) {
   std::set<std::string> names;
   for (const Stream& stream : vectors->streams) names.insert(stream.name);
   load_streams(names, vectors);
@@ -62,11 +77,13 @@ int run_cosim(Model* model, Vectors* vectors, const Options& options) {
   }
   LastFrame last;
   const Result result = run_pipeline(model, *vectors, options, &last);
+  if (options.only_wave) return result;
   if (!options.dump.empty()) write_file(options.dump, rgba_picture(*vectors, last.pixel));
+  if (!options.pictures.empty() && vectors->find("motion") == nullptr) write_pictures(options, *vectors, last.pixel);
   if (!options.dump_index.empty()) write_file(options.dump_index, index_picture(*vectors, last.counted.at("scan")));
   report(*vectors, options, {result});
   print_result(*vectors, result);
-  return result.passed() ? 0 : 1;
+  return result;
 }
 
 // A pipeline clears its buffers after a reset, which takes longer than small frames: seeds take turns.
@@ -82,9 +99,16 @@ int run(int argc, char** argv) {
   Vectors vectors = load_manifest(options.vectors);
   const std::unique_ptr<Model> model = make_model(options.seed, start_of(options, unit));
   check_model(*model, vectors);
-  std::printf("%s, seed %llu, stall %d %%, %s\n", model->title().c_str(), static_cast<unsigned long long>(options.seed),
-              options.stall, options.vectors.c_str());
-  return unit ? run_bench(*model, &vectors, options) : run_cosim(model.get(), &vectors, options);
+  if (!options.only_wave)
+    std::printf("%s, seed %llu, stall %d %%, %s\n", model->title().c_str(),
+                static_cast<unsigned long long>(options.seed), options.stall, options.vectors.c_str());
+  const auto run = [&](Model* of) {
+    return unit ? run_bench(*of, &vectors, options) : run_cosim(of, &vectors, options);
+  };
+  const Result result = run(model.get());
+  const auto again = [&] { run(make_model(options.seed, start_of(options, unit)).get()); };
+  if (!options.wave.empty()) write_wave(argc, argv, options, result, again);
+  return result.passed() ? 0 : 1;
 }
 
 }  // namespace

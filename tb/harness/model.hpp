@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 #include <unordered_map>
+#include <vector>
 
 namespace halfspace::tb {
 
@@ -22,10 +23,26 @@ struct Port {
   std::uint8_t* bit() const { return static_cast<std::uint8_t*>(data); }
 };
 
+// Cycles [first, end) in a life (Bench) of the model with this number; no model has number 0.
+struct WaveRequest {
+  std::string file;
+  int model = 0, life = 0;
+  std::uint64_t first = 0, end = 0;
+};
+
 class Model {
  public:
   virtual ~Model() = default;
   virtual void eval() = 0;
+  // Writes a cycle into the waveform, if it is asked for: 10 ns, the clock high in the second half.
+  void show(int life, std::uint64_t cycle, bool high) {
+    if (!has_wave() || life != wave.life || cycle < wave.first || cycle >= wave.end) return;
+    write_wave(10 * cycle + (high ? 5 : 0));
+  }
+  // Models are counted from 1.
+  int number() const { return number_; }
+  static inline int made = 0;
+  static inline WaveRequest wave;
 
   const std::string& top() const { return top_; }
   const std::string& config() const { return config_; }
@@ -52,11 +69,15 @@ class Model {
   // The wires of a stream inside stand beside the ports, named as those of a stream that leaves: <stream>_o,
   // <stream>_valid_o, and <stream>_ready_o, which is watched.
   void add_watch(const std::string& stream, void* valid, void* ready, void* word, int bytes, int bits);
+  // Whether this is the model of the request.
+  bool has_wave() const { return number_ == wave.model; }
+  virtual void write_wave(std::uint64_t nanoseconds) = 0;
   void add_constant(const char* name, int value) { constants_[name] = value; }
 
  private:
   std::string top_, config_;
   int lanes_x_, lanes_y_;
+  int number_ = ++made;
   std::unordered_map<std::string, Port> ports_;
   std::unordered_map<std::string, int> constants_;
 };
@@ -67,6 +88,13 @@ enum class Start { kZeros = 0, kOnes = 1, kRandom = 2 };
 std::unique_ptr<Model> make_model(std::uint64_t seed, Start start);
 // Its top module, known without making it.
 std::string model_top();
+
+// How a model of the same RTL that writes waves is built: the words of tb/model.py, but for --out.
+struct TracedBuild {
+  bool is_this = false;  // this one writes waves itself
+  std::vector<std::string> command;
+};
+TracedBuild traced_build();
 
 }  // namespace halfspace::tb
 

@@ -40,6 +40,12 @@ Options parse_options(int argc, char** argv, const std::string& top) {
   app.add_option("--hang", options.hang, "Cycles without a word that count as a hang (default 20000)")
       ->check(CLI::Range(std::uint64_t(100), std::uint64_t(1) << 40));
   app.add_option("--json", options.json, "Write the report to this file as well; - is standard output");
+  app.add_option("--wave", options.wave,
+                 "If it fails, repeat it with a model that writes waves, and write those around the first failure to "
+                 "this .fst file. The model is built then, once, into FILE.model");
+  app.add_option("--around", options.around, "Cycles of --wave before the failure and behind it (default 200)")
+      ->check(CLI::Range(1, 1000000));
+  app.add_flag("--only-wave", options.only_wave)->group("");
   if (!unit) {
     app.add_option("--frames", options.frames,
                    "Draw the last frame of the set N times, back to back (default 2: the second one gives the "
@@ -50,6 +56,9 @@ Options parse_options(int argc, char** argv, const std::string& top) {
                    "package)")
         ->check(CLI::Range(1, 1000000));
     app.add_option("--dump", options.dump, "Write the last frame that the RTL drew: rgba8, row 0 on top");
+    app.add_option("--pictures", options.pictures,
+                   "Folder for frame_rtl.png, the last frame as the RTL drew it, and wrong_pixels.png if some are: "
+                   "wrong ones red, those that never came blue");
     app.add_option("--dump-index", options.dump_index, "Write its index buffer: u32, little endian, row 0 on top");
   }
   try {

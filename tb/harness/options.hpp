@@ -14,10 +14,14 @@ struct Options {
   int stall = 0;               // percent of the cycles
   std::uint64_t hang = 20000;  // cycles without a word that count as a hang
   std::string json;
+  std::string wave;        // the waveform around the first failure goes here
+  int around = 200;        // cycles before it and behind it
+  bool only_wave = false;  // the report was given
   // hs_pipeline only:
   int frames = 2;          // times that the last frame is drawn
   int setup_interval = 0;  // cycles a triangle; 0: that of the package
   std::string dump, dump_index;
+  std::string pictures;  // a folder
 };
 
 // Exits by itself for --help (0) and for a wrong command line (2).

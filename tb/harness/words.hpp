@@ -45,6 +45,7 @@ class Words {
   int bits() const { return bits_; }
   std::size_t parts() const { return parts_; }
   std::size_t size() const { return parts_ == 0 ? 0 : data_.size() / parts_; }
+  void clear() { data_.clear(); }
   void reserve(std::size_t words) { data_.reserve(words * parts_); }
 
   const std::uint32_t* operator[](std::size_t n) const { return data_.data() + n * parts_; }

@@ -49,6 +49,10 @@ std::string pixel_text(const WordPlace& place, int lane) {
   return ", pixels " + point(0, 0) + "–" + point(lanes_x - 1, lanes_y - 1);
 }
 
+std::string cycle_text(const WordPlace& place) {
+  return place.cycle < 0 ? "" : ", cycle " + std::to_string(place.cycle);
+}
+
 std::string triangle_text(const WordPlace& place, int lane) {
   const Stream* stream = place.stream;
   const Field* index = whole_number(*stream, "index");
@@ -94,7 +98,7 @@ std::string describe_mismatch(const WordPlace& place, const std::uint32_t* got) 
   if (differences > kFieldsTold) fields += ", and " + std::to_string(differences - kFieldsTold) + " more fields";
   return place.stream->name + " word " + std::to_string(place.word) + " (" + place.stream->from + " → " +
          place.stream->to + "), frame " + std::to_string(place.frame) + place.note + triangle_text(place, first_lane) +
-         pixel_text(place, first_lane) + ": " + fields;
+         pixel_text(place, first_lane) + cycle_text(place) + ": " + fields;
 }
 
 }  // namespace halfspace::tb

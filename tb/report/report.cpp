@@ -15,10 +15,13 @@ namespace {
 std::FILE* standard_output = stdout;  // where the file "-" goes
 
 void print_table(const Result& result) {
-  std::printf("%-12s %-32s %12s %12s\n", "stream", "from -> to", "words", "mismatches");
+  const bool lacks = result.missing() != 0;
+  std::printf("%-12s %-32s %12s %12s%s\n", "stream", "from -> to", "words", "mismatches", lacks ? "      missing" : "");
   for (const StreamResult& stream : result.streams) {
     const std::string ends = stream.from + " -> " + stream.to;
-    std::printf("%-12s %-32s %12zu %12zu\n", stream.name.c_str(), ends.c_str(), stream.words, stream.mismatches);
+    std::printf("%-12s %-32s %12zu %12zu", stream.name.c_str(), ends.c_str(), stream.words, stream.mismatches);
+    if (lacks) std::printf(" %12zu", stream.missing);
+    std::printf("\n");
   }
 }
 
@@ -35,26 +38,16 @@ void print_bound(const Result& result) {
               double(result.cycles) / double(result.bound.cycles()));
 }
 
-// Calls put(x, y, lane, word) for each pixel of the last frame that a word holds.
-template <class Put>
-void each_pixel(const Vectors& vectors, const std::string& name, const Words& words, Put put) {
-  const Stream& stream = *vectors.find(name);
-  const Field &x_field = stream.need("x", "a picture"), &y_field = stream.need("y", "a picture");
-  const Frame& frame = vectors.frames.back();
-  for (std::size_t n = 0; n < words.size(); ++n) {
-    for (int lane = 0; lane < vectors.lanes(); ++lane) {
-      const std::uint64_t x = x_field.raw(words[n]) * unsigned(vectors.lanes_x) + unsigned(lane % vectors.lanes_x);
-      const std::uint64_t y = y_field.raw(words[n]) * unsigned(vectors.lanes_y) + unsigned(lane / vectors.lanes_x);
-      if (x < frame.width && y < frame.height) put(std::size_t(y * frame.width + x), lane, words[n]);
-    }
-  }
-}
-
 }  // namespace
 
 void print_result(const Vectors& vectors, const Result& result) {
   const bool pipeline = result.unit == "pipeline";
   for (const std::string& failure : result.failures) std::printf("FAIL %s: %s\n", result.unit.c_str(), failure.c_str());
+  if (pipeline && !result.first_wrong.empty()) {
+    std::printf("first wrong in flow order: %s%s\n", result.first_wrong.c_str(),
+                result.follows.empty() ? "" : "; from it follows:");
+  }
+  for (const std::string& failure : result.follows) std::printf("  %s\n", failure.c_str());
   print_table(result);
   const double million = double(result.simulated) * 1e-6;
   std::printf("cycles: %llu (%s); %llu simulated in %.2f s: %.2f M cycles/s, %.2f M a second of the processor\n",
@@ -62,9 +55,10 @@ void print_result(const Vectors& vectors, const Result& result) {
               static_cast<unsigned long long>(result.simulated), result.seconds, million / result.seconds,
               million / result.processor_seconds);
   if (pipeline) print_bound(result);
-  std::printf("%s %s %s: %zu words on %zu streams compared, %zu mismatches, %llu cycles\n",
+  const std::string missing = result.missing() == 0 ? "" : std::to_string(result.missing()) + " missing, ";
+  std::printf("%s %s %s: %zu words on %zu streams compared, %zu mismatches, %s%llu cycles\n",
               pipeline ? "cosim" : ("bench " + result.unit).c_str(), vectors.scene.c_str(), vectors.config.c_str(),
-              result.words(), result.streams.size(), result.mismatches(),
+              result.words(), result.streams.size(), result.mismatches(), missing.c_str(),
               static_cast<unsigned long long>(result.cycles));
 }
 
@@ -80,19 +74,25 @@ std::string json_report(const Vectors& vectors, const Options& options, const st
                          {"from", stream.from},
                          {"to", stream.to},
                          {"words", stream.words},
-                         {"mismatches", stream.mismatches}});
+                         {"mismatches", stream.mismatches},
+                         {"missing", stream.missing},
+                         {"failures", stream.failures}});
     }
     Json run = {{"unit", result.unit},
                 {"passed", result.passed()},
                 {"words", result.words()},
                 {"mismatches", result.mismatches()},
+                {"missing", result.missing()},
+                {"first_wrong", result.first_wrong},
+                {"first_cycle", result.first_cycle},
                 {"cycles", result.cycles},
                 {"cycles_of", result.cycles_of},
                 {"simulated_cycles", result.simulated},
                 {"seconds", result.seconds},
                 {"processor_seconds", result.processor_seconds},
                 {"streams", streams},
-                {"failures", result.failures}};
+                {"failures", result.failures},
+                {"follows", result.follows}};
     run["repeated"] = result.repeated;
     if (result.unit == "pipeline") {
       run["bound"] = {{"cycles", result.bound.cycles()},
@@ -133,34 +133,6 @@ std::string json_report(const Vectors& vectors, const Options& options, const st
                {"runs", runs}})
              .dump(1) +
          "\n";
-}
-
-std::string rgba_picture(const Vectors& vectors, const Words& pixel) {
-  const Frame& frame = vectors.frames.back();
-  const Stream& stream = *vectors.find(vectors.shown());
-  const Field* const channels[3] = {&stream.need("r", "a picture"), &stream.need("g", "a picture"),
-                                    &stream.need("b", "a picture")};
-  std::string bytes(std::size_t(frame.width) * frame.height * 4, '\0');
-  each_pixel(vectors, stream.name, pixel, [&](std::size_t at, int lane, const std::uint32_t* word) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      // Full scale is 255 whatever the bits of a channel.
-      const std::uint64_t full = (1u << channels[c]->width) - 1;
-      bytes[4 * at + c] = char((channels[c]->raw(word, lane) * 255 + full / 2) / full);
-    }
-    bytes[4 * at + 3] = char(255);
-  });
-  return bytes;
-}
-
-std::string index_picture(const Vectors& vectors, const Words& scan) {
-  const Frame& frame = vectors.frames.back();
-  const Field& index = vectors.find("scan")->need("index", "a picture");
-  std::string bytes(std::size_t(frame.width) * frame.height * 4, '\0');
-  each_pixel(vectors, "scan", scan, [&](std::size_t at, int lane, const std::uint32_t* word) {
-    const std::uint32_t value = std::uint32_t(index.raw(word, lane));
-    std::memcpy(&bytes[4 * at], &value, 4);
-  });
-  return bytes;
 }
 
 void give_standard_output_to_files() {

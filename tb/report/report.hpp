@@ -20,10 +20,6 @@ void give_standard_output_to_files();
 void write_file(const std::string& file, const std::string& bytes);
 std::string json_report(const Vectors& vectors, const Options& options, const std::vector<Result>& results);
 
-// Pictures of the words received: rgba8 from `pixel`, u32 from `scan`; row 0 on top. A pixel that never came is 0.
-std::string rgba_picture(const Vectors& vectors, const Words& pixel);
-std::string index_picture(const Vectors& vectors, const Words& scan);
-
 }  // namespace halfspace::tb
 
 #endif  // HALFSPACE_TB_REPORT_REPORT_HPP_
