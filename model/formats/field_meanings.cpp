@@ -46,6 +46,7 @@ const Line kFields[] = {
 
     {"Triangle", "index", "its number, from 1 in the order of the frame; 0: a frame without triangles", "", ""},
     {"Triangle", "object", "the object that it is of; not 0", "", ""},
+    {"Triangle", "face", "the face that it is of, modulo 2^b; not 0", "", ""},
     {"Triangle", "x# y#", "where vertex # is in the picture, row 0 on top", "pixels", ""},
     {"Triangle", "depth#", "of vertex #: 0 nearest, 2^b − 1 farthest", "depth", ""},
     {"Triangle", "r# g# b#", "colour of vertex #", "colour", ""},
@@ -152,6 +153,10 @@ const Line kFields[] = {
     {"Motion", "there_#", "1: the same point has a place in key frame #, and the vector fits", "", ""},
     {"Motion", "vx_# vy_#", "the way from the pixel's centre to it; 0 where there is none", "pixels", ""},
     {"Motion", "r_# g_# b_#", "colour less that in key frame #, plus full scale", "colour", ""},
+    {"ShownPixel", "x y", "the pixel", "pixels", ""},
+    {"ShownPixel", "shown", "1: it shows a triangle", "", ""},
+    {"ShownPixel", "face", "of that triangle; background: 0", "", ""},
+    {"ShownPixel", "r g b", "its colour", "colour", ""},
     {"Entry", "x y", "column and row of the stamp", "stamps", ""},
     {"Entry", "depth", "of the pixel; background: 2^b − 1", "depth", ""},
     {"Entry", "object", "that the pixel shows; background: 0", "", ""},
@@ -164,6 +169,9 @@ const Line kFields[] = {
     {"Compensated", "x y", "the pixel", "pixels", ""},
     {"Compensated", "r g b", "its colour; 0 without a key", "colour", ""},
     {"Compensated", "keys", "bit k: it is from key frame k; none: a hole, or the background", "", ""},
+    {"Asked", "face", "that has holes: geometry sends its triangles again; 0: there is none", "", ""},
+    {"FilmPixel", "x y", "the pixel", "pixels", ""},
+    {"FilmPixel", "r g b", "its colour", "colour", ""},
 };
 
 struct Order {
@@ -195,11 +203,14 @@ const Order kOrders[] = {
     {"Scan", kScan, ""},
     {"Pixel", kScan, ""},
     {"Motion", "covered pixels in the order of their stamps, in a stamp by lane", ""},
+    {"ShownPixel", "by stamp, in the order of `masked`, in a stamp by lane; those of the frame", ""},
     {"Entry", kScan, ""},
     {"KeyWeightWord", "a word a frame", ""},
     {"KeyRequest", "as tiles are missed", ""},
     {"KeyBlock", "in answer to each request: the blocks of its tile, row by row", ""},
-    {"Compensated", "that of `motion`", ""},
+    {"Compensated", "that of `motion`, of a film that of `ordered`", ""},
+    {"Asked", "as holes are found, in the order of `ordered`; a face once for holes that follow each other", ""},
+    {"FilmPixel", "frame after frame, row by row", ""},
     {"Merge", "a word a run", ""},
     {"Found", "a word a run", ""},
 };
