@@ -26,6 +26,7 @@ using model::Spread;
 struct ReproStaticOptions {
   model::StaticExperimentOptions experiment;
   std::string out, json;
+  double clock = 100;  // MHz
   TableOptions tables;
 };
 
@@ -73,6 +74,7 @@ Json all_json(const ReproStaticOptions& o, const model::StaticExperiment& e) {
                {"width", x.width},
                {"height", x.height},
                {"buffers", x.buffers},
+               {"clock_mhz", o.clock},
                {"triangles", e.triangles},
                {"handed", e.handed},
                {"compared_pixels", e.compared},
@@ -129,12 +131,16 @@ Table table_of_objects(const ReproStaticOptions& o, const model::StaticExperimen
 }
 
 Table table_of_frame_times(const ReproStaticOptions& o, const model::StaticExperiment& e) {
-  Table table{"time",
-              fmt::format("Time of a frame, ms, one thread of the reference; the first frame took {:.1f} s",
-                          e.first_seconds[1]),
-              {{"moving", "method", "ms", "+-", "frames a second"}}};
-  for (const PrintedStatic& p : kPrintedStatic)
-    table.rows.push_back({std::to_string(kPrintedMoving), p.method, "", "", fmt::format("{:.1f}", p.frames_a_second)});
+  Table table{
+      "time",
+      fmt::format("Time of a frame, ms, one thread of the reference; the first frame took {:.1f} s. Last, frames "
+                  "a second of the RTL's\ncycles. Between machines the ratio of two methods compares",
+                  e.first_seconds[1]),
+      {{"moving", "method", "ms", "+-", "frames a second", fmt::format("RTL, {:g} MHz", o.clock)}}};
+  for (const PrintedStatic& p : kPrintedStatic) {
+    table.rows.push_back(
+        {std::to_string(kPrintedMoving), p.method, "", "", fmt::format("{:.1f}", p.frames_a_second), ""});
+  }
   for (const model::StaticStep& step : e.steps) {
     for (std::size_t m = 0; m < model::kStaticMethods; ++m) {
       const MethodFrames& f = step.methods[m];
@@ -142,7 +148,8 @@ Table table_of_frame_times(const ReproStaticOptions& o, const model::StaticExper
       table.rows.push_back({fmt::format("{}", step.moving), method_text(m, o.experiment.buffers),
                             fmt::format("{:.1f}", f.milliseconds.mean()),
                             fmt::format("{:.1f}", f.milliseconds.deviation()),
-                            fmt::format("{:.1f}", 1000 / f.milliseconds.mean())});
+                            fmt::format("{:.1f}", 1000 / f.milliseconds.mean()),
+                            fmt::format("{:.2f}", o.clock * 1e6 / f.cycles.mean())});
     }
   }
   return table;
@@ -241,6 +248,9 @@ void add_repro_static(CLI::App& repro) {
   paper->add_option("--lanes", x.lanes, "of the Z-test and the merge")
       ->capture_default_str()
       ->check(CLI::IsMember({1, 2, 4, 8, 16}));
+  paper->add_option("--clock", options->clock, "MHz, for frames a second of the RTL")
+      ->capture_default_str()
+      ->check(above_zero());
   add_output_folder(paper, "--out", options->out, "folder for the plot and the last picture");
   add_json(paper, options->json);
   add_table_options(paper, options->tables, {"objects", "time"});
