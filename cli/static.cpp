@@ -213,7 +213,8 @@ void run_static(const StaticOptions& options) {
   fmt::print(
       "\n{} objects began to move; {} were asked for, of which {} were not seen; {} others were drawn again.\n"
       "{} frames began anew, as the view, a light, a material or a mesh changed.\n"
-      "Cycles by the model of the RTL; passes of hs_pipeline and runs of hs_ztest_merge one after the other.\n",
+      "Cycles of hs_static_frames by the model of the RTL: one pass after the other, merged as it is scanned out, and\n"
+      "the runs without a pass, where memory answers in a cycle.\n",
       sum.started, sum.queries, sum.skipped, sum.redrawn, sum.anew);
   write_json(options.json, {{"scene", options.input.scene},
                             {"config", configuration.name()},

@@ -10,8 +10,6 @@
 #include "cli/common/output.hpp"
 #include "cli/common/progress.hpp"
 #include "cli/common/scene_input.hpp"
-#include "cli/common/sequence.hpp"
-#include "model/drivers/film.hpp"
 #include "model/drivers/up_convert.hpp"
 #include "model/pipeline/engine.hpp"
 #include "ref/error.hpp"
@@ -26,9 +24,6 @@
 namespace halfspace::cli {
 namespace {
 
-// A film whose frames have holes, in a configuration that makes films.
-constexpr const char *kFilm = "film", *kFilmScene = "wheel_turn", *kFilmSize = "48x36";
-constexpr int kFilmFirst = 10;
 constexpr const char *kExtremes = "extremes", *kCompensationExtremes = "compensation_extremes",
                      *kMergeExtremes = "merge_extremes";
 
@@ -39,8 +34,8 @@ struct VectorsOptions {
   std::uint64_t seed = 1;
   bool corners = true, compensation = false, sv = false;
   int random = 4, random_triangles = 60;
-  int frames = 20, buffers = 1, objects = 8;
-  int first = 0, intervals = 2;  // of a film
+  int frames = 20;
+  int objects = 0, buffers = 0;  // 0: those of the kind of sequence
   bool query = true;
 };
 
@@ -180,9 +175,10 @@ void write_static(const VectorsOptions& options, const model::Configuration& con
   of_passes.ports = true;
   of_passes.window = options.input.window;
   const FrameSize size = parse_size(options.input.size.empty() ? "20x16" : options.input.size);
+  const int buffers = options.buffers ? options.buffers : 1;
   const model::StaticSequence sequence = model::static_sequence(
-      {configuration, of_passes.lanes, size.width, size.height, options.buffers, options.query, of_passes.window},
-      options.objects, options.frames, options.seed);
+      {configuration, of_passes.lanes, size.width, size.height, buffers, options.query, of_passes.window},
+      options.objects ? options.objects : 8, options.frames, options.seed);
   model::make_folder(options.out);
   Progress progress("vectors static");
   const auto told = [&](std::size_t done, std::size_t total) { progress.tell(done, total); };
@@ -193,27 +189,20 @@ void write_static(const VectorsOptions& options, const model::Configuration& con
   tell(part, configuration, model::write_merge_set(part.out, of_runs, sequence.runs, told));
 }
 
-void write_film(const VectorsOptions& options, const model::Configuration& configuration) {
-  const Config config = configuration.config();
-  const bool own = options.input.scene == kFilm;
-  const FrameSize size = parse_size(!options.input.size.empty() ? options.input.size
-                                    : own                       ? kFilmSize
-                                                                : fmt::format("{}x{}", config.width, config.height));
-  const SceneSource source(own ? kFilmScene : options.input.scene, options.input.choice, has_texture(config));
-  const int step = config.frames_between + 1, first = own ? kFilmFirst : options.first;
-  std::vector<ref::Scene> frames;
-  for (int n = 0; n <= options.intervals * step; ++n) {
-    frames.push_back(source.at(double(first + n) / kFramesASecond));
-    if (has_texture(config)) model::fit_textures(frames.back(), config);
-  }
-  tell_if_faces_share(frames.front(), config);
-  const model::VectorSetOptions set = set_of(options, configuration);
-  const std::vector<model::FilmPass> passes =
-      model::film_passes(configuration, size.width, size.height, set.lanes, frames);
-  Progress progress("vectors " + set.scene);
+// Of a sequence as hs_static_frames draws it.
+void write_static_frames(const VectorsOptions& options, const model::Configuration& configuration) {
+  model::VectorSetOptions set = set_of(options, configuration);
+  set.window = options.input.window;
+  const FrameSize size = parse_size(options.input.size.empty() ? "20x16" : options.input.size);
+  const int some = has_lighting(configuration.config()) ? 8 : 14;  // an object has a material or more
+  const int buffers = options.buffers ? options.buffers : 3, objects = options.objects ? options.objects : some;
+  const auto frames = model::static_sequence_frames(
+      {configuration, set.lanes, size.width, size.height, buffers, options.query, set.window}, objects, options.frames,
+      options.seed);
+  Progress progress("vectors static_frames");
   tell(options, configuration,
-       model::write_film_set(options.out, set, passes,
-                             [&](std::size_t done, std::size_t total) { progress.tell(done, total); }));
+       model::write_static_set(options.out, set, frames,
+                               [&](std::size_t done, std::size_t total) { progress.tell(done, total); }));
 }
 
 void write_vectors(const VectorsOptions& options) {
@@ -223,9 +212,7 @@ void write_vectors(const VectorsOptions& options) {
   if (options.input.scene == "merge" || options.input.scene == kMergeExtremes)
     return write_merge(options, configuration);
   if (options.input.scene == "static") return write_static(options, configuration);
-  if (up_converts(configuration.config()) && options.input.scene != "compensation" &&
-      options.input.scene != kCompensationExtremes)
-    return write_film(options, configuration);
+  if (options.input.scene == "static_frames") return write_static_frames(options, configuration);
   if (options.input.scene == "compensation" || options.input.scene == kCompensationExtremes || options.compensation)
     return write_compensation(options, configuration);
   const bool between = options.input.scene == "between", extremes = options.input.scene == kExtremes;
@@ -296,9 +283,8 @@ void add_vectors(CLI::App& app, int&) {
       "in one with objects for the unit that merges buffers. `extremes` stands for the numerical extremes of light,\n"
       "texture, motion and objects, of what the configuration has; `compensation_extremes` and `merge_extremes` for\n"
       "those of the two units. `static` writes two sets, OUT/pipeline and OUT/merge: a random sequence of the\n"
-      "static objects buffer, of 20x16 pixels if no size is given. In a configuration with frames_between SCENE is\n"
-      "animated, and the set is a film of it, a pass of triangles a frame; `film` stands for one of some. Each stream "
-      "is a text file that $readmemh reads;\n"
+      "static objects buffer, of 20x16 pixels if no size is given; `static_frames` one of all streams of such a\n"
+      "sequence, for hs_static_frames. Each stream is a text file that $readmemh reads;\n"
       "manifest.json tells the fields.\n");
   add_scene_options(command, options->input);
   command->add_option("--lanes", options->lanes, "pixels a stamp: 1, 2, 4, 8, 16; default: the configuration's");
@@ -313,22 +299,13 @@ void add_vectors(CLI::App& app, int&) {
       ->add_option("--window", options->input.window,
                    "use indices of invisible triangles again: a triangle takes that of the one so many before it")
       ->check(zero_or_more());
-  command
-      ->add_option("--first", options->first, "of a film: the frame of the animation, 30 a second, that it begins with")
-      ->capture_default_str()
-      ->check(zero_or_more());
-  command->add_option("--intervals", options->intervals, "of a film: key frames after the first")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 100000));
   command->add_flag("--compensation", options->compensation,
                     "the streams of motion_compensate, for a frame of SCENE between the keys of --interval");
   command->add_option("--frames", options->frames, "of `static`")->capture_default_str()->check(above_zero());
-  command->add_option("--objects", options->objects, "of `static`, and one more")
-      ->capture_default_str()
+  command->add_option("--objects", options->objects, "of `static`, and one more; default: 8, of `static_frames` 14")
       ->check(CLI::Range(1, 16));
-  command->add_option("--buffers", options->buffers, "of `static`: S-buffers")
-      ->capture_default_str()
-      ->check(above_zero());
+  command->add_option("--buffers", options->buffers, "of `static`: S-buffers; default: 1, of `static_frames` 3")
+      ->check(CLI::Range(1, model::kMostBuffers - 2));
   command->add_flag("--query,!--no-query", options->query, "of `static`: an S-buffer is asked before it is changed");
   command->add_flag("--sv", options->sv,
                     "OUT/vectors.svh as well, constants for a bench of your own: bits, words, frames, fields");

@@ -21,8 +21,9 @@ HAVE = {"ztest_index": lambda c: not GAMMA(c), "ztest_plane": GAMMA,
         "light_vertex": lambda c: c["Lights"] and not PHONG(c), "phong_setup": PHONG, "shade_phong": PHONG,
         "texture_setup": TEXTURE, "shade_texture": TEXTURE,
         "motion_setup": MOTION, "motion_field": MOTION, "motion_compensate": MOTION,
-        "scan_object": OBJECTS, "ztest_merge": OBJECTS}
-BESIDE = ("motion_compensate", "ztest_merge")  # not in the pipeline: memories lie between
+        "scan_object": OBJECTS, "ztest_merge": OBJECTS, "static_run": OBJECTS, "static_frames": OBJECTS}
+# Not in the pipeline: memories lie between; and what it is a part of.
+BESIDE = ("motion_compensate", "ztest_merge", "static_run", "static_frames")
 
 
 def units():

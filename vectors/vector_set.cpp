@@ -14,6 +14,7 @@
 #include "model/formats/field_meanings.hpp"
 #include "model/formats/field_value.hpp"
 #include "model/formats/stream_list.hpp"
+#include "model/pipeline/cycles.hpp"
 #include "model/pipeline/engine.hpp"
 #include "ref/error.hpp"
 #include "vectors/staging.hpp"
@@ -245,33 +246,6 @@ std::string write_between_set(const std::string& folder, const VectorSetOptions&
                        capture, progress);
 }
 
-std::string write_film_set(const std::string& folder, const VectorSetOptions& options,
-                           const std::vector<FilmPass>& passes,
-                           const std::function<void(std::size_t, std::size_t)>& progress) {
-  const auto engine = make_film_engine(options.configuration, options.lanes);
-  static const char* const kNames[] = {"key", "between", "fill"};
-  Json described = Json::array();
-  for (const FilmPass& pass : passes) {
-    Json frame = described_frames({pass.frame})[0];
-    frame["pass"] = kNames[int(pass.pass)];
-    frame["interval"] = pass.pass == Pass::kKey ? std::max(pass.key - 1, 0) : pass.key;
-    if (pass.field != 0) {
-      frame["field"] = pass.field;
-      frame["weight"] = field_weight(options.configuration.config(), pass.field);
-    }
-    described.push_back(std::move(frame));
-  }
-  const auto capture = [&](std::size_t n, Json& frame, const WordSink& sink) {
-    const FilmDrawn drawn = engine->run(passes[n], sink);
-    frame["film"] = drawn.shown.size();
-    frame["answers"] = drawn.answers;
-    if (passes[n].pass == Pass::kBetween) frame["holes"] = drawn.holes;
-    if (passes[n].pass == Pass::kFill) frame["filled"] = drawn.filled;
-  };
-  return write_streams(folder, options, engine->lanes_x(), engine->lanes_y(), engine->layouts(), described, capture,
-                       progress);
-}
-
 std::string write_compensation_set(const std::string& folder, const VectorSetOptions& options,
                                    const std::vector<NamedCompensation>& frames,
                                    const std::function<void(std::size_t, std::size_t)>& progress) {
@@ -284,6 +258,66 @@ std::string write_merge_set(const std::string& folder, const VectorSetOptions& o
                             const std::function<void(std::size_t, std::size_t)>& progress) {
   return write_unit_set(folder, options, Merger(options.configuration, options.lanes), runs, progress,
                         [](Json&, const MergeResult&) {});
+}
+
+std::string write_static_set(const std::string& folder, const VectorSetOptions& options,
+                             const std::vector<StaticSequenceFrame>& frames,
+                             const std::function<void(std::size_t, std::size_t)>& progress) {
+  const Configuration& configuration = options.configuration;
+  if (frames.empty() || frames[0].passes.empty()) throw ref::Error("a sequence needs a frame at least, with triangles");
+  const ref::SnappedList& any = frames[0].passes[0].scene;
+  const auto engine = make_engine(configuration, options.lanes);
+  engine->reuse_indices(options.window);
+  StaticRuns runs(configuration, options.lanes, any.width, any.height);
+  std::vector<Layout> layouts = engine->layouts();
+  for (const Layout& layout : runs.layouts()) {
+    if (layout.stream != "entry") layouts.push_back(layout);
+  }
+  Json described = Json::array();
+  for (const StaticSequenceFrame& frame : frames) {
+    std::size_t triangles = 0;
+    for (const NamedFrame& pass : frame.passes) triangles += pass.scene.triangles.size();
+    described.push_back({{"width", any.width},
+                         {"height", any.height},
+                         {"background", any.background},
+                         {"triangles", triangles},
+                         {"note", frame.note}});
+  }
+  const auto capture = [&](std::size_t n, Json& entry, const WordSink& sink) {
+    std::map<std::string, std::vector<Word>> words;
+    std::vector<std::vector<RawEntry>> passes;
+    std::uint64_t cycles = frames[n].run_cycles;
+    for (const NamedFrame& pass : frames[n].passes) {
+      load_frame(*engine, configuration.config(), pass);
+      engine->capture(pass.scene, [&](const Layout& layout, const Word* of_pass, std::size_t count) {
+        // What all passes of a frame find in the registers of hs_pipeline is sent once.
+        if (layout.row.kind == StreamKind::kLoaded && !passes.empty()) return;
+        std::vector<Word>& all = words[layout.stream];
+        all.insert(all.end(), of_pass, of_pass + count);
+      });
+      cycles += model_cycles(configuration.config(), *engine, pass.scene, engine->render(pass.scene)).frame;
+      passes.push_back(StaticFrames::entries(*engine, configuration, pass));
+    }
+    entry["cycles"] = cycles;
+    std::size_t taken = 0;
+    std::vector<RawEntry> shown;
+    for (const RawCommand& command : frames[n].commands) {
+      std::vector<StreamWords> streams;
+      StaticRunResult result = runs.run(command, command.passes ? &passes.at(taken) : nullptr, &streams);
+      taken += command.passes;
+      if (command.shows) shown = std::move(result.shown);
+      for (const StreamWords& stream : streams) {
+        if (stream.layout.stream == "entry") continue;
+        std::vector<Word>& all = words[stream.layout.stream];
+        all.insert(all.end(), stream.words.begin(), stream.words.end());
+      }
+    }
+    if (taken != passes.size() || !(shown == frames[n].picture))
+      throw ref::Error(fmt::format("frame {}: its commands do not show it: please report it with the command line", n));
+    for (const Layout& layout : layouts) sink(layout, words[layout.stream].data(), words[layout.stream].size());
+  };
+  const StampSize stamp = stamp_size(options.lanes);
+  return write_streams(folder, options, stamp.x, stamp.y, layouts, std::move(described), capture, progress);
 }
 
 }  // namespace halfspace::model

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "model/formats/stamps.hpp"
 #include "model/shade/frame_lighting.hpp"
 #include "model/texture/texture.hpp"
 #include "ref/objects/object_raster.hpp"
@@ -136,19 +137,20 @@ std::vector<RawEntry> StaticFrames::draw_pass(const NamedFrame& pass) {
   return entries(*engine_, options_.configuration, pass);
 }
 
-// In as many passes as the triangles take. Those that cover nothing of the region are not drawn.
-void StaticFrames::draw_passes(const NamedFrame& frame, const Box& region, const Pass& each) {
+// As many as the triangles take. Those that cover nothing of the region are left out.
+std::vector<StaticFrames::Pass> StaticFrames::passes(const NamedFrame& frame, const Box& region) {
+  std::vector<Pass> out;
   const std::size_t count = frame.scene.triangles.size();
   for (std::size_t from = 0; from < count;) {
     const NamedFrame rest = part(frame, from, count);
     load_frame(*engine_, config_, rest);
     const std::size_t fits = engine_->fits(rest.scene);
-    const NamedFrame pass = part(rest, 0, fits);
+    Pass pass{part(rest, 0, fits), {}};
     from += fits;
-    Box box;
-    for (std::size_t k = 0; k < fits; ++k) box.add(covered(pass, k).cut(region));
-    if (!box.empty()) each(draw_pass(pass), box);
+    for (std::size_t k = 0; k < fits; ++k) pass.covered.add(covered(pass.frame, k).cut(region));
+    if (!pass.covered.empty()) out.push_back(std::move(pass));
   }
+  return out;
 }
 
 MergeInput StaticFrames::input(const std::vector<RawEntry>& stored, const std::vector<RawEntry>* drawn,
@@ -161,12 +163,29 @@ MergeInput StaticFrames::input(const std::vector<RawEntry>& stored, const std::v
   return input;
 }
 
-MergeResult StaticFrames::run(const char* what, const MergeInput& input) {
-  if (sink_->run) sink_->run(what, input);
-  MergeResult result = merger_.run(input);
+std::uint64_t StaticFrames::stamps(const Box& box) const {
+  const StampSize stamp = stamp_size(options_.lanes);
+  const auto along = [](int from, int to, int side) { return std::uint64_t((to - 1) / side - from / side + 1); };
+  return along(box.x0, box.x1, stamp.x) * along(box.y0, box.y1, stamp.y);
+}
+
+void StaticFrames::tell(const char* what, const MergeInput& input, RawCommand buffers) {
+  buffers.box = input.box;
+  buffers.sends = input.sends;
+  buffers.merges = buffers.passes || input.drawn != nullptr;
+  if (!buffers.anew) buffers.first = input.first, buffers.last = input.last;
+  buffers.background = input.background;
+  if (sink_->command) sink_->command(what, buffers);
   ++work_.runs;
-  work_.run_cycles += result.cycles;
-  return result;
+  // From one command to the next; without words to be sent it is the last stamp that ends it.
+  constexpr std::uint64_t kSending = 4, kAsking = 2;
+  work_.run_cycles += (buffers.passes ? 0 : stamps(input.box)) + (buffers.sends ? kSending : kAsking);
+}
+
+MergeResult StaticFrames::run(const char* what, const MergeInput& input, const RawCommand& buffers) {
+  if (sink_->run) sink_->run(what, input);
+  tell(what, input, buffers);
+  return merger_.run(input);
 }
 
 // Takes an object that starts to move out of its S-buffer. What has to be drawn again is put into `holes`.
@@ -177,9 +196,11 @@ void StaticFrames::leave(std::uint32_t n, std::vector<Box>& holes) {
   std::vector<RawEntry>& buffer = static_[std::size_t(states_.buffer_of(n))];
   MergeInput of_object = input(buffer, nullptr, hole);
   of_object.first = of_object.last = n + 1;
+  RawCommand buffers;
+  buffers.stored = buffers.kept = static_buffer_number(states_.buffer_of(n));
   if (options_.query) {
     of_object.sends = false;
-    const MergeResult found = run("query", of_object);
+    const MergeResult found = run("query", of_object, buffers);
     ++work_.queries;
     if (found.count == 0) {
       ++work_.skipped;
@@ -188,7 +209,7 @@ void StaticFrames::leave(std::uint32_t n, std::vector<Box>& holes) {
     of_object.box = hole = found.box;
     of_object.sends = true;
   }
-  buffer = run("erase", of_object).merged;
+  buffer = run("erase", of_object, buffers).merged;
   ++work_.erased;
   holes.push_back(hole);
 }
@@ -215,15 +236,20 @@ void StaticFrames::update(int k, const std::vector<Box>& holes) {
   }
   changed_.add(region);
   const auto k_at = std::size_t(k);
-  draw_passes(frame, region, [&](const std::vector<RawEntry>& pass, const Box& box) {
-    MergeInput add = input(static_[k_at], &pass, box);
+  for (const Pass& pass : passes(frame, region)) {
+    const std::vector<RawEntry> drawn = draw_pass(pass.frame);
+    MergeInput add = input(static_[k_at], &drawn, pass.covered);
+    RawCommand buffers;
+    buffers.passes = true;
+    buffers.stored = buffers.kept = static_buffer_number(k);
     if (!filled_[k_at]) {
       add.box = frame_, add.last = (1u << config_.object_bits) - 1;  // all that is there goes
+      buffers.anew = true;
       changed_ = frame_;
     }
-    static_[k_at] = run("add", add).merged;
+    static_[k_at] = run("add", add, buffers).merged;
     filled_[k_at] = true;
-  });
+  }
 }
 
 // All S-buffers merged where one has changed.
@@ -232,11 +258,18 @@ void StaticFrames::compose() {
   for (std::size_t k = 0; k < filled_.size(); ++k) {
     if (filled_[k]) filled.push_back(k);
   }
+  const int still = still_buffer_number(options_.buffers);
   behind_ = filled.empty() ? nullptr : filled.size() == 1 ? &static_[filled[0]] : &still_;
+  behind_number_ = filled.size() == 1 ? static_buffer_number(int(filled[0])) : still;
   if (filled.size() < 2 || changed_.empty()) return;
   std::vector<RawEntry> merged = static_[filled[0]];
-  for (std::size_t i = 1; i < filled.size(); ++i)
-    merged = run("compose", input(merged, &static_[filled[i]], changed_)).merged;
+  for (std::size_t i = 1; i < filled.size(); ++i) {
+    RawCommand buffers;
+    buffers.stored = i == 1 ? static_buffer_number(int(filled[0])) : still;
+    buffers.drawn = static_buffer_number(int(filled[i]));
+    buffers.kept = still;
+    merged = run("compose", input(merged, &static_[filled[i]], changed_), buffers).merged;
+  }
   still_.resize(merged.size());
   for (int y = changed_.y0; y < changed_.y1; ++y) {
     for (int x = changed_.x0; x < changed_.x1; ++x) {
@@ -246,7 +279,7 @@ void StaticFrames::compose() {
   }
 }
 
-// The frame is sent whole, with the first pass if there is one; others are merged into it.
+// The frame is sent whole with the last pass. If there are others, the first takes what stands still into the D-buffer.
 void StaticFrames::show() {
   std::vector<std::uint32_t> instances;
   for (std::uint32_t n = 0; n < states_.objects(); ++n) {
@@ -255,13 +288,27 @@ void StaticFrames::show() {
   }
   work_.moving = instances.size();
   const NamedFrame frame = triangles(instances);
-  bool sent = false;
-  draw_passes(frame, frame_, [&](const std::vector<RawEntry>& pass, const Box& box) {
-    if (sent) picture_ = run("frame", input(picture_, &pass, box)).merged;
-    else picture_ = behind_ ? run("frame", input(*behind_, &pass, frame_)).merged : pass;
-    sent = true;
-  });
-  if (!sent) picture_ = behind_ ? run("frame", input(*behind_, nullptr, frame_)).merged : draw_pass(frame);
+  std::vector<Pass> all = passes(frame, frame_);
+  if (all.empty() && !behind_) all.push_back({frame, {}});  // a frame of background
+  RawCommand buffers;
+  buffers.anew = !behind_, buffers.stored = behind_number_;
+  buffers.kept = kDynamicBuffer;
+  if (all.empty()) {
+    buffers.shows = true;
+    picture_ = run("frame", input(*behind_, nullptr, frame_), buffers).merged;
+  }
+  for (std::size_t p = 0; p < all.size(); ++p) {
+    buffers.passes = true, buffers.shows = p + 1 == all.size();
+    const std::vector<RawEntry> drawn = draw_pass(all[p].frame);
+    if (buffers.anew) {
+      tell("frame", input(drawn, &drawn, frame_), buffers);
+      picture_ = drawn;
+    } else {
+      const Box& box = p == 0 || buffers.shows ? frame_ : all[p].covered;
+      picture_ = run("frame", input(p == 0 ? *behind_ : picture_, &drawn, box), buffers).merged;
+    }
+    buffers.anew = false, buffers.stored = kDynamicBuffer;
+  }
 }
 
 }  // namespace halfspace::model

@@ -13,6 +13,7 @@
 #include "model/objects/merge.hpp"
 #include "model/pipeline/engine.hpp"
 #include "model/pipeline/named_frame.hpp"
+#include "model/pipeline/static_runs.hpp"
 #include "ref/geometry/geometry.hpp"
 #include "ref/objects/object_states.hpp"
 
@@ -35,13 +36,19 @@ struct StaticFrameWork {
   std::uint64_t started = 0, queries = 0, skipped = 0;  // SD, seen from where the last frame was; asked; skipped
   std::uint64_t erased = 0;                             // of the SD, those that left pixels to be drawn again
   std::uint64_t passes = 0, triangles = 0;              // frames of hs_pipeline, and what it was handed
-  std::uint64_t runs = 0, run_cycles = 0;               // of ztest_merge, queries too; where nothing makes it wait
+  std::uint64_t runs = 0;                               // of ztest_merge, queries too
+  // What they take in hs_static_frames beside its passes, where a place is answered in the next cycle: a pass is merged
+  // while it is scanned out.
+  std::uint64_t run_cycles = 0;
 };
 
-// Told of each pass, and of each run, before it is done. What they point to is gone afterwards.
+// Told of each pass, and of each run, before it is done. What they point to is gone afterwards. A run is told as
+// ztest_merge does it, and as a command of hs_static_frames, which are the same but for what several passes come to: it
+// is kept in the D-buffer.
 struct StaticFramesSink {
   std::function<void(const NamedFrame&)> pass;
   std::function<void(const char* what, const MergeInput&)> run;
+  std::function<void(const char* what, const RawCommand&)> command;
 };
 
 class StaticFrames {
@@ -67,16 +74,22 @@ class StaticFrames {
   static std::vector<RawEntry> entries(Engine&, const Configuration& configuration, const NamedFrame&);
 
  private:
-  using Pass = std::function<void(const std::vector<RawEntry>& entries, const ref::Box& covered)>;
+  struct Pass {
+    NamedFrame frame;
+    ref::Box covered;
+  };
   void look();
   void leave(std::uint32_t n, std::vector<ref::Box>& holes);
   void update(int k, const std::vector<ref::Box>& holes);
   void compose();
   void show();
-  void draw_passes(const NamedFrame&, const ref::Box& region, const Pass&);
+  std::vector<Pass> passes(const NamedFrame&, const ref::Box& region);
   std::vector<RawEntry> draw_pass(const NamedFrame&);
   MergeInput input(const std::vector<RawEntry>& stored, const std::vector<RawEntry>* drawn, const ref::Box& box) const;
-  MergeResult run(const char* what, const MergeInput& input);
+  MergeResult run(const char* what, const MergeInput& input, const RawCommand& buffers);
+  // Of the buffers that a run takes, its command; of its passes, if it has one.
+  void tell(const char* what, const MergeInput& input, RawCommand buffers);
+  std::uint64_t stamps(const ref::Box&) const;
 
   const ref::Scene& scene_;
   const StaticFramesOptions options_;
@@ -95,6 +108,7 @@ class StaticFrames {
   std::vector<bool> filled_;                       // what is in the others is of an earlier viewpoint
   std::vector<RawEntry> still_;                    // those that are filled merged, where they are two or more
   const std::vector<RawEntry>* behind_ = nullptr;  // all that stands still; null: nothing does
+  int behind_number_ = 0;                          // of that buffer
   std::vector<RawEntry> picture_;
   ref::Box changed_;  // of the S-buffers in this frame
   StaticFrameWork work_;

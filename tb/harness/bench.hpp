@@ -33,11 +33,12 @@ struct StreamState {
   bool valid = false, ready = false;
 };
 
-// max(setup, stamps, pixels) cycles, pixels being what the shader takes, is what the units' own rates allow for a
-// frame; setup 0: not known.
+// max(setup, stamps, pixels, merges) cycles, pixels being what the shader takes, is what the units' own rates allow for
+// a frame; setup 0: not known.
 struct Bound {
   std::uint64_t setup = 0, stamps = 0, pixels = 0;
-  std::uint64_t cycles() const { return std::max({setup, stamps, pixels}); }
+  std::uint64_t merges = 0;  // stamps of ztest_merge; of hs_static_frames alone
+  std::uint64_t cycles() const { return std::max({setup, stamps, pixels, merges}); }
 };
 
 struct Result {

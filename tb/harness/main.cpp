@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program around one Verilated model: of a unit its bench, of hs_pipeline the co-simulation.
+// The program around one Verilated model: of a unit its bench, of hs_pipeline and hs_static_frames the co-simulation.
 #include <algorithm>
 #include <cstdio>
 #include <set>
 
+#include "tb/composed/static_frames.hpp"
 #include "tb/harness/options.hpp"
 #include "tb/harness/pipeline.hpp"
 #include "tb/harness/units.hpp"
@@ -68,6 +69,16 @@ void write_pictures(const Options& options, const Vectors& vectors, const Words&
   std::printf("%s: %ld pixels of the last frame are wrong, %ld never came\n", file.c_str(), red, blue);
 }
 
+Result run_sequence(Model* model, Vectors* vectors, const Options& options) {
+  std::set<std::string> names;
+  for (const Stream& stream : vectors->streams) names.insert(stream.name);
+  load_streams(names, vectors);
+  const Result result = run_static_frames(model, *vectors, options);
+  if (!options.only_wave) print_result(*vectors, result);
+  if (!options.only_wave) report(*vectors, options, {result});
+  return result;
+}
+
 Result run_cosim(Model* model, Vectors* vectors, const Options& options) {
   std::set<std::string> names;
   for (const Stream& stream : vectors->streams) names.insert(stream.name);
@@ -103,6 +114,7 @@ int run(int argc, char** argv) {
     std::printf("%s, seed %llu, stall %d %%, %s\n", model->title().c_str(),
                 static_cast<unsigned long long>(options.seed), options.stall, options.vectors.c_str());
   const auto run = [&](Model* of) {
+    if (model_top() == "hs_static_frames") return run_sequence(of, &vectors, options);
     return unit ? run_bench(*of, &vectors, options) : run_cosim(of, &vectors, options);
   };
   const Result result = run(model.get());

@@ -8,11 +8,6 @@ namespace halfspace::tb {
 namespace {
 
 constexpr int kPause = 64;
-// What is loaded before a frame, and what geometry answers to `visible`.
-bool is_loaded(const Stream& stream) { return stream.from == "host"; }
-bool is_answer(const Stream& stream) { return stream.from == "geometry" && stream.name != "triangle"; }
-// After reset the pipeline clears its I-buffer, in the smallest stamps two million words a bank.
-constexpr std::uint64_t kResetPatience = 10'000'000;
 
 // A frame as often as it is drawn.
 struct Turn {
@@ -33,39 +28,40 @@ std::vector<Turn> turns_of(const Vectors& vectors, int times_last) {
 
 Segment segment_of(const Stream& stream, const Turn& turn) { return segment_of(stream, turn.frame, turn.note); }
 
-// Whether one frame may follow the other without a pause: registers and what is loaded are the same.
+// Of frames [first, end).
+Segment segment_of(const Stream& stream, std::size_t first, std::size_t end) {
+  return {&stream, segment_of(stream, first).begin, segment_of(stream, end - 1).end, first, ""};
+}
+
+}  // namespace
+
+bool is_loaded(const Stream& stream) { return stream.from == "host"; }
+bool is_answer(const Stream& stream) { return stream.from == "geometry" && stream.name != "triangle"; }
+
 bool may_follow(const Vectors& vectors, std::size_t a, std::size_t b) {
   return same_registers(vectors.frames[a], vectors.frames[b]) &&
          std::all_of(vectors.streams.begin(), vectors.streams.end(),
                      [&](const Stream& stream) { return !is_loaded(stream) || same_words(stream, a, b); });
 }
 
-// What geometry has heard of the triangles, and may send for it.
-struct Geometry {
-  std::size_t triangles = 0;  // the triangle after a window of those whose results are known
-  std::size_t answers = 0;    // a word for each visible one
-};
-
-// Of the last frame.
-Bound bound_of(const Vectors& vectors, const Model& model, int setup_interval) {
+Bound bound_of(const Vectors& vectors, const Model& model, int setup_interval, std::size_t first, std::size_t end) {
   Bound bound;
-  const std::size_t frame = vectors.frames.size() - 1;
   if (const Stream* const setup = vectors.find("setup")) {
     // An empty triangle takes three cycles at least.
     const Field& empty = setup->need("empty", "the bound of cycles");
-    const Segment words = segment_of(*setup, {frame, ""});
+    const Segment words = segment_of(*setup, first, end);
     for (std::size_t n = words.begin; n < words.end; ++n) {
       bound.setup += empty.raw(setup->words[n]) ? 3 : std::uint64_t(setup_interval);
     }
   }
   if (const Stream* const scan = vectors.find("scan")) {
-    bound.pixels = scan->frame_words[frame];
+    for (std::size_t frame = first; frame < end; ++frame) bound.pixels += scan->frame_words[frame];
     // Shaders that take a pixel after the other, and the lights of each; of background one of a stamp.
     const int turns = model.constant("Phong")                                       ? model.constant("Lights")
                       : model.constant("HasTexture") || model.constant("HasMotion") ? 1
                                                                                     : 0;
     const Field& index = scan->need("index", "the bound of cycles");
-    const Segment words = segment_of(*scan, {frame, ""});
+    const Segment words = segment_of(*scan, first, end);
     std::uint64_t serial = 0;
     for (std::size_t n = words.begin; n < words.end && turns != 0; ++n) {
       std::uint64_t covered = 0;
@@ -76,7 +72,7 @@ Bound bound_of(const Vectors& vectors, const Model& model, int setup_interval) {
   }
   if (const Stream* const stamp = vectors.find("stamp")) {
     const Field& mask = stamp->need("mask", "the bound of cycles");
-    const Segment words = segment_of(*stamp, {frame, ""});
+    const Segment words = segment_of(*stamp, first, end);
     for (std::size_t n = words.begin; n < words.end; ++n) {
       bound.stamps += extract(stamp->words[n], mask.lsb, mask.width * mask.count) != 0;
     }
@@ -84,8 +80,6 @@ Bound bound_of(const Vectors& vectors, const Model& model, int setup_interval) {
   return bound;
 }
 
-// Leaves the model in the midst of its first frame. Geometry has not answered; whatever comes out is taken and not
-// looked at.
 void run_part(Model* model, const Vectors& vectors, const Options& options) {
   Bench bench(model, &vectors, &options, "pipeline");
   const std::uint64_t some = 32 + Random(options.seed).next() % 1024;
@@ -108,6 +102,14 @@ void run_part(Model* model, const Vectors& vectors, const Options& options) {
     if (port.input && name != "clk_i") model->set(name, 0);
   }
 }
+
+namespace {
+
+// What geometry has heard of the triangles, and may send for it.
+struct Geometry {
+  std::size_t triangles = 0;  // the triangle after a window of those whose results are known
+  std::size_t answers = 0;    // a word for each visible one
+};
 
 }  // namespace
 
@@ -193,7 +195,7 @@ Result run_pipeline(Model* model, const Vectors& vectors, const Options& options
   bench.finish(&result);
   stopwatch.stop(&result);
   const int setup_interval = options.setup_interval ? options.setup_interval : model->constant("SetupInterval");
-  result.bound = bound_of(vectors, *model, setup_interval);
+  result.bound = bound_of(vectors, *model, setup_interval, vectors.frames.size() - 1, vectors.frames.size());
   result.rates = count_rates(vectors, last->counted, model->constant("Bilinear") ? 4 : 1);
   const auto number = [&](const char* name) { return std::uint64_t(model->constant(name)); };
   result.accesses =

@@ -16,6 +16,20 @@ struct LastFrame {
   std::map<std::string, Words> counted;  // by stream, those of count_rates; scan among them
 };
 
+// What is loaded before a frame, and what geometry answers to `visible`.
+bool is_loaded(const Stream& stream);
+bool is_answer(const Stream& stream);
+// Whether one frame may follow the other without a pause: registers and what is loaded are the same.
+bool may_follow(const Vectors& vectors, std::size_t a, std::size_t b);
+// After reset the pipeline clears its I-buffer, in the smallest stamps two million words a bank.
+constexpr std::uint64_t kResetPatience = 10'000'000;
+// Of frames [first, end).
+Bound bound_of(const Vectors& vectors, const Model& model, int setup_interval, std::size_t first, std::size_t end);
+
+// Leaves the model in the midst of its first frame. Geometry has not answered; whatever comes out is taken and not
+// looked at.
+void run_part(Model* model, const Vectors& vectors, const Options& options);
+
 // Frames of equal registers follow each other at once; before others the pipeline runs empty (busy_o).
 Result run_pipeline(Model* model, const Vectors& vectors, const Options& options, LastFrame* last);
 

@@ -25,13 +25,16 @@ void print_table(const Result& result) {
   }
 }
 
-// Only of a pipeline: what its units' rates allow for the last frame.
+// Only of compositions: what their units' rates allow for the last frame of a pipeline, or for a whole sequence.
 void print_bound(const Result& result) {
   if (result.bound.cycles() == 0) return;
-  std::printf("bound of a frame: %llu cycles (", static_cast<unsigned long long>(result.bound.cycles()));
+  std::printf("bound of %s: %llu cycles (", result.bound.merges == 0 ? "a frame" : "the sequence",
+              static_cast<unsigned long long>(result.bound.cycles()));
   if (result.bound.setup != 0) {
     std::printf("setup intervals of the triangles %llu, ", static_cast<unsigned long long>(result.bound.setup));
   }
+  if (result.bound.merges != 0)
+    std::printf("merged stamps %llu, ", static_cast<unsigned long long>(result.bound.merges));
   std::printf("covered stamps %llu, shader %llu)", static_cast<unsigned long long>(result.bound.stamps),
               static_cast<unsigned long long>(result.bound.pixels));
   std::printf(", measured %llu: %.3f x\n", static_cast<unsigned long long>(result.cycles),
@@ -54,7 +57,7 @@ void print_result(const Vectors& vectors, const Result& result) {
               static_cast<unsigned long long>(result.cycles), result.cycles_of.c_str(),
               static_cast<unsigned long long>(result.simulated), result.seconds, million / result.seconds,
               million / result.processor_seconds);
-  if (pipeline) print_bound(result);
+  print_bound(result);
   const std::string missing = result.missing() == 0 ? "" : std::to_string(result.missing()) + " missing, ";
   std::printf("%s %s %s: %zu words on %zu streams compared, %zu mismatches, %s%llu cycles\n",
               pipeline ? "cosim" : ("bench " + result.unit).c_str(), vectors.scene.c_str(), vectors.config.c_str(),
@@ -94,11 +97,14 @@ std::string json_report(const Vectors& vectors, const Options& options, const st
                 {"failures", result.failures},
                 {"follows", result.follows}};
     run["repeated"] = result.repeated;
-    if (result.unit == "pipeline") {
+    if (result.bound.cycles() != 0) {
       run["bound"] = {{"cycles", result.bound.cycles()},
                       {"setup", result.bound.setup},
                       {"covered_stamps", result.bound.stamps},
                       {"shader", result.bound.pixels}};
+      if (result.bound.merges != 0) run["bound"]["merged_stamps"] = result.bound.merges;
+    }
+    if (result.unit == "pipeline") {
       run["rates"] = {{"triangles", result.rates.triangles},
                       {"reduced_triangles", result.rates.reduced_triangles},
                       {"fragments", result.rates.fragments},

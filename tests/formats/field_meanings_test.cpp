@@ -13,6 +13,7 @@
 #include "model/motion/compensation.hpp"
 #include "model/objects/merge.hpp"
 #include "model/pipeline/engine.hpp"
+#include "model/pipeline/static_runs.hpp"
 #include "ref/error.hpp"
 
 namespace halfspace::tests {
@@ -24,8 +25,10 @@ std::vector<Layout> layouts_of(const model::Configuration& configuration) {
   std::vector<Layout> all = model::make_engine(configuration, 4)->layouts();
   const auto add = [&](const std::vector<Layout>& more) { all.insert(all.end(), more.begin(), more.end()); };
   if (has_motion(configuration.config())) add(model::Compensator(configuration).layouts());
-  if (has_motion(configuration.config())) add(model::Compensator(configuration).film_layouts());
-  if (has_objects(configuration.config())) add(model::Merger(configuration, 4).layouts());
+  if (has_objects(configuration.config())) {
+    add(model::Merger(configuration, 4).layouts());
+    add(model::StaticRuns(configuration, 4, 8, 8).layouts());
+  }
   return all;
 }
 

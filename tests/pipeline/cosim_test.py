@@ -125,7 +125,22 @@ def merge_difference(frames, one, without_stalls):
     return ""
 
 
-UNIT_DIFFERENCES = {"motion_compensate": compensation_difference, "ztest_merge": merge_difference}
+STATIC_MODEL = 0.05  # passes overlap with runs, and runs with each other's latency
+
+
+def static_difference(frames, one, without_stalls):
+    """Why the cycles of a sequence, where nothing stalls, are not those of the model; nothing if they are."""
+    modelled, cycles = sum(frame["cycles"] for frame in frames), one["cycles"]
+    bound = one["bound"]["cycles"]
+    print(f"{cycles / len(frames):.0f} cycles a frame, {modelled / cycles:.4f} of them by the model, bound "
+          f"{bound / len(frames):.0f}")
+    if without_stalls and abs(modelled - cycles) > STATIC_MODEL * cycles:
+        return f"{cycles} cycles, and {modelled} by the model: off by more than {STATIC_MODEL}"
+    return ""
+
+
+UNIT_DIFFERENCES = {"motion_compensate": compensation_difference, "ztest_merge": merge_difference,
+                    "static_frames": static_difference}
 
 
 def main():

@@ -6,13 +6,27 @@
 #include "vectors/frames/moving_scene.hpp"
 
 namespace halfspace::model {
+namespace {
 
-StaticSequence static_sequence(const StaticFramesOptions& options, int objects, int frames, std::uint64_t seed) {
-  StaticSequence out;
+// draw(buffers, frame) for each.
+template <class Draw>
+void each_frame(const StaticFramesOptions& options, int objects, int frames, std::uint64_t seed, Draw draw) {
   ref::Scene scene = moving_scene(objects);
   SceneMotion motion(seed, objects);
   motion.begin(scene);
   StaticFrames buffers(scene, options);
+  for (int frame = 0; frame < frames; ++frame) {
+    motion.step(scene);
+    motion.move_viewer(scene);
+    if (motion.dim(scene)) buffers.start_anew();
+    draw(buffers, frame);
+  }
+}
+
+}  // namespace
+
+StaticSequence static_sequence(const StaticFramesOptions& options, int objects, int frames, std::uint64_t seed) {
+  StaticSequence out;
   int frame = 0;
   StaticFramesSink sink;
   sink.pass = [&](const NamedFrame& pass) {
@@ -29,12 +43,28 @@ StaticSequence static_sequence(const StaticFramesOptions& options, int objects, 
     if (in.drawn) run.drawn = *in.drawn;
     run.sends = in.sends, run.first = in.first, run.last = in.last, run.background = in.background;
   };
-  for (; frame < frames; ++frame) {
-    motion.step(scene);
-    motion.move_viewer(scene);
-    if (motion.dim(scene)) buffers.start_anew();
+  each_frame(options, objects, frames, seed, [&](StaticFrames& buffers, int n) {
+    frame = n;
     buffers.draw(sink);
-  }
+  });
+  return out;
+}
+
+std::vector<StaticSequenceFrame> static_sequence_frames(const StaticFramesOptions& options, int objects, int frames,
+                                                        std::uint64_t seed) {
+  std::vector<StaticSequenceFrame> out;
+  StaticFramesSink sink;
+  sink.pass = [&](const NamedFrame& pass) { out.back().passes.push_back(pass); };
+  sink.command = [&](const char* what, const RawCommand& command) {
+    StaticSequenceFrame& frame = out.back();
+    frame.note += fmt::format("{}{}", frame.commands.empty() ? "" : ", ", what);
+    frame.commands.push_back(command);
+  };
+  each_frame(options, objects, frames, seed, [&](StaticFrames& buffers, int) {
+    out.emplace_back();
+    out.back().run_cycles = buffers.draw(sink).run_cycles;
+    out.back().picture = buffers.picture();
+  });
   return out;
 }
 
