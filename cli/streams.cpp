@@ -33,7 +33,8 @@ std::vector<Layout> layouts_of(const model::Configuration& configuration, int la
       if (std::none_of(all.begin(), all.end(), is_it)) all.push_back(layout);
     }
   };
-  if (has_motion(configuration.config())) add(model::Compensator(configuration).layouts());
+  if (up_converts(configuration.config())) add(model::Compensator(configuration).film_layouts());
+  else if (has_motion(configuration.config())) add(model::Compensator(configuration).layouts());
   if (has_objects(configuration.config())) add(model::Merger(configuration, lanes).layouts());
   return all;
 }

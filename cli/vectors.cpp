@@ -10,6 +10,8 @@
 #include "cli/common/output.hpp"
 #include "cli/common/progress.hpp"
 #include "cli/common/scene_input.hpp"
+#include "cli/common/sequence.hpp"
+#include "model/drivers/film.hpp"
 #include "model/drivers/up_convert.hpp"
 #include "model/pipeline/engine.hpp"
 #include "ref/error.hpp"
@@ -24,6 +26,9 @@
 namespace halfspace::cli {
 namespace {
 
+// A film whose frames have holes, in a configuration that makes films.
+constexpr const char *kFilm = "film", *kFilmScene = "wheel_turn", *kFilmSize = "48x36";
+constexpr int kFilmFirst = 10;
 constexpr const char *kExtremes = "extremes", *kCompensationExtremes = "compensation_extremes",
                      *kMergeExtremes = "merge_extremes";
 
@@ -36,6 +41,7 @@ struct VectorsOptions {
   int random = 4, random_triangles = 60;
   int frames = 20;
   int objects = 0, buffers = 0;  // 0: those of the kind of sequence
+  int first = 0, intervals = 2;  // of a film
   bool query = true;
 };
 
@@ -189,6 +195,29 @@ void write_static(const VectorsOptions& options, const model::Configuration& con
   tell(part, configuration, model::write_merge_set(part.out, of_runs, sequence.runs, told));
 }
 
+void write_film(const VectorsOptions& options, const model::Configuration& configuration) {
+  const Config config = configuration.config();
+  const bool own = options.input.scene == kFilm;
+  const FrameSize size = parse_size(!options.input.size.empty() ? options.input.size
+                                    : own                       ? kFilmSize
+                                                                : fmt::format("{}x{}", config.width, config.height));
+  const SceneSource source(own ? kFilmScene : options.input.scene, options.input.choice, has_texture(config));
+  const int step = config.frames_between + 1, first = own ? kFilmFirst : options.first;
+  std::vector<ref::Scene> frames;
+  for (int n = 0; n <= options.intervals * step; ++n) {
+    frames.push_back(source.at(double(first + n) / kFramesASecond));
+    if (has_texture(config)) model::fit_textures(frames.back(), config);
+  }
+  tell_if_faces_share(frames.front(), config);
+  const model::VectorSetOptions set = set_of(options, configuration);
+  const std::vector<model::FilmPass> passes =
+      model::film_passes(configuration, size.width, size.height, set.lanes, frames);
+  Progress progress("vectors " + set.scene);
+  tell(options, configuration,
+       model::write_film_set(options.out, set, passes,
+                             [&](std::size_t done, std::size_t total) { progress.tell(done, total); }));
+}
+
 // Of a sequence as hs_static_frames draws it.
 void write_static_frames(const VectorsOptions& options, const model::Configuration& configuration) {
   model::VectorSetOptions set = set_of(options, configuration);
@@ -213,6 +242,9 @@ void write_vectors(const VectorsOptions& options) {
     return write_merge(options, configuration);
   if (options.input.scene == "static") return write_static(options, configuration);
   if (options.input.scene == "static_frames") return write_static_frames(options, configuration);
+  if (up_converts(configuration.config()) && options.input.scene != "compensation" &&
+      options.input.scene != kCompensationExtremes)
+    return write_film(options, configuration);
   if (options.input.scene == "compensation" || options.input.scene == kCompensationExtremes || options.compensation)
     return write_compensation(options, configuration);
   const bool between = options.input.scene == "between", extremes = options.input.scene == kExtremes;
@@ -284,7 +316,10 @@ void add_vectors(CLI::App& app, int&) {
       "texture, motion and objects, of what the configuration has; `compensation_extremes` and `merge_extremes` for\n"
       "those of the two units. `static` writes two sets, OUT/pipeline and OUT/merge: a random sequence of the\n"
       "static objects buffer, of 20x16 pixels if no size is given; `static_frames` one of all streams of such a\n"
-      "sequence, for hs_static_frames. Each stream is a text file that $readmemh reads;\n"
+      "sequence, for hs_static_frames. In a configuration with frames_between SCENE is animated, and the set is a "
+      "film\n"
+      "of it, a pass of triangles a frame; `film` stands for one of some. Each stream is a text file that $readmemh "
+      "reads;\n"
       "manifest.json tells the fields.\n");
   add_scene_options(command, options->input);
   command->add_option("--lanes", options->lanes, "pixels a stamp: 1, 2, 4, 8, 16; default: the configuration's");
@@ -299,6 +334,13 @@ void add_vectors(CLI::App& app, int&) {
       ->add_option("--window", options->input.window,
                    "use indices of invisible triangles again: a triangle takes that of the one so many before it")
       ->check(zero_or_more());
+  command
+      ->add_option("--first", options->first, "of a film: the frame of the animation, 30 a second, that it begins with")
+      ->capture_default_str()
+      ->check(zero_or_more());
+  command->add_option("--intervals", options->intervals, "of a film: key frames after the first")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 100000));
   command->add_flag("--compensation", options->compensation,
                     "the streams of motion_compensate, for a frame of SCENE between the keys of --interval");
   command->add_option("--frames", options->frames, "of `static`")->capture_default_str()->check(above_zero());

@@ -6,8 +6,8 @@
     vectors/bits.py build/cli/halfspace --held vectors/standard/bits.sha256    fails where it is not what there was
 
 The named configurations and all of tests/configs: the set `standard`, with motion also `compensation` and `between`,
-with objects also `merge` and `static_frames`, the extremes of each of these and of light and texture; and the package
-of formats of each.
+with objects also `merge` and `static_frames`, the extremes of each of these and of light and texture; of one that makes
+films the set `film` alone; and the package of formats of each.
 A line is: configuration, set, stream, SHA-256.
 """
 
@@ -22,6 +22,9 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 
 def sets_of(text):
+    if "frames_between" in text and "frames_between = 0" not in text:
+        yield "film"
+        return
     yield "standard"
     moves = 'shading = "motion"' in text
     has_objects = "object_bits" in text and "object_bits = 0" not in text

@@ -246,6 +246,33 @@ std::string write_between_set(const std::string& folder, const VectorSetOptions&
                        capture, progress);
 }
 
+std::string write_film_set(const std::string& folder, const VectorSetOptions& options,
+                           const std::vector<FilmPass>& passes,
+                           const std::function<void(std::size_t, std::size_t)>& progress) {
+  const auto engine = make_film_engine(options.configuration, options.lanes);
+  static const char* const kNames[] = {"key", "between", "fill"};
+  Json described = Json::array();
+  for (const FilmPass& pass : passes) {
+    Json frame = described_frames({pass.frame})[0];
+    frame["pass"] = kNames[int(pass.pass)];
+    frame["interval"] = pass.pass == Pass::kKey ? std::max(pass.key - 1, 0) : pass.key;
+    if (pass.field != 0) {
+      frame["field"] = pass.field;
+      frame["weight"] = field_weight(options.configuration.config(), pass.field);
+    }
+    described.push_back(std::move(frame));
+  }
+  const auto capture = [&](std::size_t n, Json& frame, const WordSink& sink) {
+    const FilmDrawn drawn = engine->run(passes[n], sink);
+    frame["film"] = drawn.shown.size();
+    frame["answers"] = drawn.answers;
+    if (passes[n].pass == Pass::kBetween) frame["holes"] = drawn.holes;
+    if (passes[n].pass == Pass::kFill) frame["filled"] = drawn.filled;
+  };
+  return write_streams(folder, options, engine->lanes_x(), engine->lanes_y(), engine->layouts(), described, capture,
+                       progress);
+}
+
 std::string write_compensation_set(const std::string& folder, const VectorSetOptions& options,
                                    const std::vector<NamedCompensation>& frames,
                                    const std::function<void(std::size_t, std::size_t)>& progress) {

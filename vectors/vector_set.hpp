@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "model/formats/configuration.hpp"
+#include "model/pipeline/film_engine.hpp"
 #include "model/pipeline/named_frame.hpp"
 #include "vectors/frames/compensation_frames.hpp"
 #include "vectors/frames/merge_frames.hpp"
@@ -39,6 +40,10 @@ std::string write_compensation_set(const std::string& folder, const VectorSetOpt
 std::string write_between_set(const std::string& folder, const VectorSetOptions& options,
                               const std::vector<NamedFrame>& frames,
                               const std::function<void(std::size_t, std::size_t)>& progress);
+// The passes of a film, from its first key frame on, one a frame of the set.
+std::string write_film_set(const std::string& folder, const VectorSetOptions& options,
+                           const std::vector<FilmPass>& passes,
+                           const std::function<void(std::size_t, std::size_t)>& progress);
 std::string write_merge_set(const std::string& folder, const VectorSetOptions& options,
                             const std::vector<NamedMerge>& runs,
                             const std::function<void(std::size_t, std::size_t)>& progress);

@@ -4,7 +4,7 @@
 #ifndef HALFSPACE_HLS_FORMATS_BUFFERS_HPP_
 #define HALFSPACE_HLS_FORMATS_BUFFERS_HPP_
 
-#include "hls/formats/records.hpp"
+#include "hls/formats/film_records.hpp"
 #ifdef HS_WORDS
 #include "hls/numbers/memory_words.hpp"
 #define HS_MEMORY(Record, member, words) Words<Record> member
@@ -111,10 +111,46 @@ struct ObjectTable {
   HS_MEMORY_OF(ObjectEntry<F>, typename F::Object, object, kWords, );
 };
 
+// The face of each triangle, with F::kUpConverts: entry index − 1.
+template <class F>
+struct FaceEntry {
+  typename F::Face face;
+
+  operator typename F::Face() const { return face; }
+  template <class V>
+  HS_INLINE constexpr void visit(V&& v) {
+    v("face", face);
+  }
+};
+template <class F>
+struct FaceTable {
+  static constexpr int kWords = F::kUpConverts ? F::kTriangles : 1;
+  HS_MEMORY_OF(FaceEntry<F>, typename F::Face, face, kWords, );
+};
+
+// Which pixels of a frame in between no key shows, a word a stamp: all 0 but between a frame in between that asks for
+// faces and the pass that fills its holes.
+template <class F>
+struct HoleStamp {
+  using Lane = Bit;
+  Lane lane[F::kLanes];
+
+  Lane operator[](int l) const { return lane[l]; }
+  template <class V>
+  HS_INLINE constexpr void visit(V&& v) {
+    v.lanes("hole", lane);
+  }
+};
+template <class F>
+struct HoleMarks {
+  static constexpr int kWords = F::kUpConverts ? F::kStamps : 1;
+  HS_MEMORY_OF(HoleStamp<F>, Bit, hole, kWords, [F::kLanes]);
+};
+
 // TdbS, the triangle database for shading: entry index − 1.
 template <class F>
 struct ShadingDatabase {
-  static constexpr int kWords = F::kPhong || F::kHasMotion ? 1 : F::kTriangles;
+  static constexpr int kWords = F::kPhong || !F::kShades ? 1 : F::kTriangles;
   HS_MEMORY(Planes<F>, planes, kWords);
 };
 
@@ -181,12 +217,14 @@ struct TextureMemory {
 #undef HS_MEMORY_OF
 #undef HS_MEMORY_ROWS
 
-// I-buffer all 0 before the first frame; a frame leaves it so.
+// I-buffer and marks of holes all 0 before the first frame; a frame leaves them so.
 template <class F>
 struct Buffers {
   IndexBuffer<F> index;
   DepthBuffer<F> depth;
   ObjectTable<F> objects;
+  FaceTable<F> faces;
+  HoleMarks<F> holes;
   ShadingDatabase<F> shading;
   NormalDatabase<F> normals;
   VisibilityDatabase<F> visibility;

@@ -50,7 +50,11 @@ constexpr bool has_gloss(const Config& c) { return c.gloss != 0; }
 constexpr bool has_texture(const Config& c) { return c.texture != TextureFilter::kNone; }
 constexpr bool is_bilinear(const Config& c) { return c.texture == TextureFilter::kBilinear; }
 constexpr bool has_perspective(const Config& c) { return c.mapping == TextureMapping::kPerspective; }
-constexpr bool has_motion(const Config& c) { return c.shading == Shading::kMotion; }
+// Whether frames are shaded at all; of shading = motion they are none but frames in between.
+constexpr bool shades(const Config& c) { return c.shading != Shading::kMotion; }
+// Whether shaded key frames take turns with frames in between.
+constexpr bool up_converts(const Config& c) { return c.frames_between != 0; }
+constexpr bool has_motion(const Config& c) { return !shades(c) || up_converts(c); }
 constexpr bool relights(const Config& c) { return c.relight != 0; }
 constexpr bool has_objects(const Config& c) { return c.object_bits != 0; }
 // N: a key frame's pixels are kept in N × N banks, by column and row modulo N, of which a filter reads each at once.
@@ -60,7 +64,7 @@ constexpr bool has_coordinates(const Config& c) { return has_texture(c) || has_m
 // Whether normals, texture coordinates or motion of a triangle come after it has turned out visible (deferred shading).
 constexpr bool is_deferred(const Config& c) { return has_lighting(c) || has_coordinates(c); }
 // Whether triangles come with colours.
-constexpr bool has_colours(const Config& c) { return !has_lighting(c) && !has_motion(c); }
+constexpr bool has_colours(const Config& c) { return !has_lighting(c) && shades(c); }
 // Whether what comes after the setup of triangles needs their shape, for planes.
 constexpr bool sends_shape(const Config& c) { return shades_planes(c) || has_coordinates(c); }
 // Whether values come for the vertices in the order given, after the setup has put these in its own.
@@ -78,13 +82,14 @@ constexpr int difference_bits(const Config& c) { return c.colour_bits + kDiffere
 constexpr int colour_plane_bits(const Config& c) { return relights(c) ? difference_bits(c) : c.colour_bits; }
 
 // The parts of a configuration. A file has the fields of those that it has.
-enum class Part { kBase, kLighting, kTexture, kCoordinates, kMotion, kObjects };
+enum class Part { kBase, kLighting, kTexture, kCoordinates, kMotion, kObjects, kFilm };
 constexpr bool has_part(Part part, const Config& c) {
   return part == Part::kLighting      ? has_lighting(c)
          : part == Part::kTexture     ? has_texture(c)
          : part == Part::kCoordinates ? has_coordinates(c)
          : part == Part::kMotion      ? has_motion(c)
          : part == Part::kObjects     ? has_objects(c)
+         : part == Part::kFilm        ? up_converts(c)
                                       : true;
 }
 
@@ -94,6 +99,13 @@ constexpr int bits_for(std::int64_t n) { return n < 2 ? 1 : 1 + bits_for(n / 2);
 constexpr int exact_log2(int n) { return n < 2 ? 0 : 1 + exact_log2(n / 2); }
 
 constexpr int max_of(int a, int b) { return a > b ? a : b; }
+
+// How much key 0 weighs in field `field` of an interval, 1 … frames_between, in multiples of 2^−weight_bits: what is
+// left of the way to key 1, rounded half up. Key 1 has the rest.
+constexpr int field_weight(const Config& c, int field) {
+  const int ways = c.frames_between + 1;
+  return ((ways - field) * (2 << c.weight_bits) + ways) / (2 * ways);
+}
 
 // log2 of the largest exponent of a highlight, and of the pixels in between a pixel of a key frame each way.
 constexpr int squarings(const Config& c) { return exact_log2(c.gloss); }

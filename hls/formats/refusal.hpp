@@ -36,7 +36,9 @@ constexpr bool allows(const Limits& allowed, int value) {
 constexpr Refusal choice_refusal(const Config& c) {
   if (is_phong(c) && !has_lighting(c)) return Refusal::kUnlitPhong;
   if (tests_planes(c) && !has_depth(c)) return Refusal::kIdleArchitecture;
-  if (has_motion(c) && (has_lighting(c) || has_texture(c))) return Refusal::kMotionShading;
+  if (!shades(c) && (has_lighting(c) || has_texture(c))) return Refusal::kMotionShading;
+  if (!shades(c) && up_converts(c)) return Refusal::kFilmShading;
+  if (up_converts(c) && c.samples > 1) return Refusal::kFilmSamples;
   if (has_motion(c) && c.filter == KeyFilter::kNone) return Refusal::kFilter;
   if (has_objects(c) && (!stores_depth(c) || has_motion(c))) return Refusal::kObjectsNeedDepth;
   return Refusal::kNone;

@@ -25,6 +25,7 @@ constexpr int kTrianglesAhead = 512;
   X(triangle, 1, "")                                                                                            \
   X(drawn_triangle, 1, "")                                                                                      \
   X(numbered_triangle, 1, "")                                                                                   \
+  X(faced_triangle, 1, "")                                                                                      \
   X(setup, kTrianglesAhead, "hs_pipeline SetupFifoDepth")                                                       \
   X(attributes, F::kDeferred ? kTrianglesAhead : 4,                                                             \
     F::kDeferred ? "hs_pipeline DeferFifoDepth" : "hs_shading AttributesFifoDepth")                             \
@@ -49,12 +50,15 @@ constexpr int kTrianglesAhead = 512;
   X(object_scan, F::kPhong || F::kHasTexture ? 32 : 16, "hs_objects ScanFifoDepth")                             \
   X(coloured_scan, F::kHasTexture ? 32 : 4, "hs_shading ScanFifoDepth")                                         \
   X(texed_scan, 64, "hs_texture ScanFifoDepth")                                                                 \
+  X(masked, 1, "")                                                                                              \
+  X(stored_scan, 64, "hs_up_convert ScanFifoDepth")                                                             \
   X(lit, 1, "")                                                                                                 \
   X(shown_pixel, 1, "")                                                                                         \
   X(object_pixel, 1, "")                                                                                        \
   X(pixel, 1, "")                                                                                               \
   X(motion, 1, "")                                                                                              \
-  X(entry, 1, "")
+  X(entry, 1, "")                                                                                               \
+  X(shown, 1, "")
 // clang-format on
 
 // StreamDepths<F>::member

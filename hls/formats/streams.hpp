@@ -27,19 +27,25 @@ namespace halfspace {
 template <class F>
 struct Units {
   static const char* triangle_shader() {
-    return F::kHasMotion ? "motion_setup" : F::kPhong ? "phong_setup" : "shade_setup";
+    return !F::kShades ? "motion_setup" : F::kPhong ? "phong_setup" : "shade_setup";
   }
   static const char* pixel_shader() {
-    return F::kHasMotion ? "motion_field" : F::kPhong ? "shade_phong" : "shade_gouraud";
+    return !F::kShades ? "motion_field" : F::kPhong ? "shade_phong" : "shade_gouraud";
   }
+  // What takes the motion of pixels, and what comes of them.
+  static const char* motion_taker() { return F::kUpConverts ? "motion_order" : "motion_compensate"; }
+  static const char* pixel_taker() { return F::kUpConverts ? "pixel_store" : "frame"; }
+  // Where scan-out leads, and the stream that says where in the frame a stamp of colours is.
+  static const char* scan_taker() { return F::kUpConverts ? "hole_scan" : pixel_shader(); }
+  static const char* shaded_scan() { return F::kUpConverts ? "masked" : "scan"; }
   static const char* z_test() { return F::kTestsPlanes ? "ztest_plane" : "ztest_index"; }
   static const char* lighting() { return F::kPhong ? "shade_phong" : "light_vertex"; }
 };
 
 // clang-format off
 #define HS_MOTION_STREAM(X)                                                                                      \
-  X(motion, motion, Stream, "motion_field", "motion_compensate", "",                                             \
-    F::kHasMotion, "shading = motion",                                                                           \
+  X(motion, motion, Stream, "motion_field", Units<F>::motion_taker(), "",                                        \
+    F::kHasMotion, "with motion",                                                                                \
     "a covered pixel in between: the face that it shows, and the way to the same point in each key frame", Motion<F>)
 
 #define HS_ENTRY_STREAM(X)                                                                                       \
@@ -78,13 +84,13 @@ struct Units {
     F::kHasLighting, "lights > 0",                                                                               \
     "in answer to a `visible` that says so: normals of the vertices, flat: one; and the material", Normals<F>)   \
   X(colours, colours, Stream, "light_vertex", "shade_setup", "",                                                 \
-    F::kHasLighting && !F::kPhong, "lights > 0, not Phong",                                                  \
+    F::kHasLighting && !F::kPhong, "lights > 0, not Phong",                                                      \
     "the colours that they come to", Colours<F>)                                                                 \
   X(normal_planes, planes, Stored, "phong_setup", "tdbs", "",                                                    \
     F::kPhong, "shading = phong",                                                                                \
     "three planes of a normal, and the material", NormalPlanes<F>)                                               \
   X(planes, planes, Stored, "shade_setup", "tdbs", "",                                                           \
-    !F::kPhong && !F::kHasMotion, "shading = gouraud or flat",                                                   \
+    !F::kPhong && F::kShades, "shading = gouraud or flat",                                                       \
     "three colour planes, or one colour", Planes<F>)                                                             \
   X(texture_coordinates, texture_coordinates, Stream, "geometry", "texture_setup", "",                           \
     F::kHasTexture, "with texture",                                                                              \
@@ -93,10 +99,10 @@ struct Units {
     F::kHasTexture, "with texture",                                                                              \
     "planes of s, t and, with perspective, q", TexturePlanes<F>)                                                 \
   X(motion_vectors, motion_vectors, Stream, "geometry", "motion_setup", "",                                      \
-    F::kHasMotion, "shading = motion",                                                                           \
+    F::kHasMotion, "with motion",                                                                                \
     "likewise in answer: the face, and for each key frame where the vertices are there", MotionVectors<F>)       \
   X(motion_planes, motion_planes, Stored, "motion_setup", "tdbs", "",                                            \
-    F::kHasMotion, "shading = motion",                                                                           \
+    F::kHasMotion, "with motion",                                                                                \
     "planes of these places and, with `relight`, of differences of colours", MotionPlanes<F>)                    \
   X(triangle_depth, triangle_depth, Stream, "raster_pineda", "ztest_plane", "",                                  \
     F::kTestsPlanes, "architecture = gamma",                                                                     \
@@ -110,39 +116,63 @@ struct Units {
   X(visible, visible, Stream, F::kDeferred ? "visible_select" : Units<F>::z_test(), "geometry", "",              \
     true, "",                                                                                                    \
     "a triangle is done: has a fragment passed?", Visible<F>)                                                    \
-  X(scan, scan, Stream, "scan_index", Units<F>::pixel_shader(), "",                                              \
+  X(scan, scan, Stream, "scan_index", Units<F>::scan_taker(), "",                                                \
     true, "",                                                                                                    \
     "a stamp of the finished I-buffer", Scan<F>)                                                                 \
-  X(lit, lit, Stream, Units<F>::pixel_shader(), "shade_texture", "scan",                                         \
+  X(masked, masked, Stream, "hole_scan", Units<F>::pixel_shader(), "",                                           \
+    F::kUpConverts, "frames_between > 0",                                                                        \
+    "in its place: the same, and where holes are filled the holes alone", Scan<F>)                               \
+  X(lit, lit, Stream, Units<F>::pixel_shader(), "shade_texture", Units<F>::shaded_scan(),                        \
     F::kHasTexture, "with texture",                                                                              \
     "a stamp of colours before texture", Pixel<F>)                                                               \
   HS_MOTION_STREAM(X)                                                                                            \
   HS_ENTRY_STREAM(X)                                                                                             \
-  X(pixel, pixel, Stream, F::kHasTexture ? "shade_texture" : Units<F>::pixel_shader(), "frame", "scan",          \
-    !F::kHasMotion && !F::kHasObjects, "without motion and objects",                                             \
-    "a stamp of colours", Pixel<F>)
+  X(pixel, pixel, Stream, F::kHasTexture ? "shade_texture" : Units<F>::pixel_shader(), Units<F>::pixel_taker(),  \
+    Units<F>::shaded_scan(),                                                                                     \
+    F::kShades && !F::kHasObjects, "shading other than motion, without objects",                                 \
+    "a stamp of colours", Pixel<F>)                                                                              \
+  X(shown, shown, Stored, "pixel_store", "key_memory", "",                                                       \
+    F::kUpConverts, "frames_between > 0",                                                                        \
+    "a pixel of a key frame, or one that is shaded for a hole", ShownPixel<F>)
 
-// Of hs_motion_compensate; of the memory of key k, N × N pixels a block.
-#define HS_COMPENSATE_STREAMS(X)                                                                                 \
-  X(key_weight, key_weight, Loaded, "host", "motion_compensate", "",                                             \
-    F::kHasMotion, "shading = motion",                                                                           \
-    "how much key 0 weighs", KeyWeightWord<F>)                                                                   \
-  HS_MOTION_STREAM(X)                                                                                            \
+// Of both; of the memory of key k, N × N pixels a block.
+#define HS_KEY_STREAMS(X)                                                                                        \
   X(key_request_0, key_request_0, Fetch, "motion_compensate", "key_memory", "",                                  \
-    F::kHasMotion, "shading = motion",                                                                           \
+    F::kHasMotion, "with motion",                                                                                \
     "a tile that the cache of key 0 lacks", KeyRequest<F>)                                                       \
   X(key_request_1, key_request_1, Fetch, "motion_compensate", "key_memory", "",                                  \
-    F::kHasMotion, "shading = motion",                                                                           \
+    F::kHasMotion, "with motion",                                                                                \
     "one that the cache of key 1 lacks", KeyRequest<F>)                                                          \
   X(key_block_0, key_block_0, Fetch, "key_memory", "motion_compensate", "",                                      \
-    F::kHasMotion, "shading = motion",                                                                           \
+    F::kHasMotion, "with motion",                                                                                \
     "a block of a tile of key 0", KeyBlock<F, N>)                                                                \
   X(key_block_1, key_block_1, Fetch, "key_memory", "motion_compensate", "",                                      \
-    F::kHasMotion, "shading = motion",                                                                           \
+    F::kHasMotion, "with motion",                                                                                \
     "one of key 1", KeyBlock<F, N>)                                                                              \
-  X(compensated, compensated, Stream, "motion_compensate", "frame", "",                                          \
-    F::kHasMotion, "shading = motion",                                                                           \
+  X(compensated, compensated, Stream, "motion_compensate", F::kUpConverts ? "hole_find" : "frame", "",           \
+    F::kHasMotion, "with motion",                                                                                \
     "the colour of a pixel in between, and the keys that it is from", Compensated<F>)
+
+// Of hs_motion_compensate.
+#define HS_COMPENSATE_STREAMS(X)                                                                                 \
+  X(key_weight, key_weight, Loaded, "host", "motion_compensate", "",                                             \
+    F::kHasMotion, "with motion",                                                                                \
+    "how much key 0 weighs", KeyWeightWord<F>)                                                                   \
+  HS_MOTION_STREAM(X)                                                                                            \
+  HS_KEY_STREAMS(X)
+
+// Of hs_up_convert besides those of hs_pipeline.
+#define HS_FILM_STREAMS(X)                                                                                       \
+  X(ordered, ordered, Stream, "motion_order", "motion_compensate", "",                                           \
+    F::kUpConverts, "frames_between > 0",                                                                        \
+    "the words of motion, tile after tile of the key frames", Motion<F>)                                         \
+  HS_KEY_STREAMS(X)                                                                                              \
+  X(asked, asked, Stream, "hole_find", "geometry", "",                                                           \
+    F::kUpConverts, "frames_between > 0",                                                                        \
+    "a face that has holes; of face 0 alone: a frame in between has none", Asked<F>)                             \
+  X(film, film, Stream, "film_scan", "frame", "",                                                                \
+    F::kUpConverts, "frames_between > 0",                                                                        \
+    "a pixel of the film, row by row", FilmPixel<F>)
 
 // Of hs_ztest_merge.
 #define HS_MERGE_STREAMS(X)                                                                                      \

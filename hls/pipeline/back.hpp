@@ -10,6 +10,7 @@
 #define HALFSPACE_HLS_PIPELINE_BACK_HPP_
 
 #include "hls/formats/buffers.hpp"
+#include "hls/motion/hole_scan.hpp"
 #include "hls/motion/motion_field.hpp"
 #include "hls/motion/motion_setup.hpp"
 #include "hls/objects/scan_object.hpp"
@@ -29,15 +30,15 @@ namespace halfspace {
 // What a triangle is shaded with into TdbS; with F::kDeferred, and if it is visible, after its words of s.normals,
 // s.texture_coordinates and s.motion_vectors.
 template <class F>
-void pipeline_planes(Streams<F>& s, Buffers<F>& b) {
+void pipeline_planes(Pass pass, Streams<F>& s, Buffers<F>& b) {
   Stream<Attributes<F>>& visible = F::kDeferred ? s.visible_attributes : s.attributes;
   if (visible.empty()) return;
   // A frame in between has motion and no more.
-  when(typename F::CompilesMotion(), F::kHasMotion, s, b, [&](auto& s, auto& b) {
+  when(typename F::CompilesMotion(), moves<F>(pass), s, b, [&](auto& s, auto& b) {
     motion_setup(visible, s.motion_vectors, s.motion_planes);
     store_planes(s.motion_planes, b.motion);
   });
-  if (F::kHasMotion) return;
+  if (moves<F>(pass)) return;
   when(typename F::CompilesTexture(), F::kHasTexture, s, b, [&](auto& s, auto& b) {
     fork(visible, s.coloured_attributes, s.texed_attributes);
     texture_setup(s.texed_attributes, s.texture_coordinates, s.texture_planes);
@@ -59,10 +60,21 @@ void pipeline_planes(Streams<F>& s, Buffers<F>& b) {
   store_planes(s.planes, b.shading);
 }
 
+template <class F>
+void pipeline_planes(Streams<F>& s, Buffers<F>& b) {
+  pipeline_planes(only_pass<F>(), s, b);
+}
+
 // Row `y` of the stamps of the finished frame from the I-buffer; rows are taken from the top.
 template <class F>
 void pipeline_scan(const Frame<F>& frame, int y, Streams<F>& s, Buffers<F>& b) {
   scan_index(frame, y, b.index, s.scan);
+}
+
+// Of films, one stamp of that on its way to the shaders of a pass, unless it shows no hole to fill.
+template <class F>
+void pipeline_mask(Pass pass, Streams<F>& s, Buffers<F>& b) {
+  hole_scan(pass == Pass::kFill, s.scan, b.holes, s.masked);
 }
 
 // One of them into s.pixel; with F::kHasObjects into s.entry.
@@ -72,7 +84,8 @@ void pipeline_shade(const Frame<F>& frame, Streams<F>& s, Buffers<F>& b) {
     fork(s.scan, s.pixel_scan, s.object_scan);
     scan_object(s.object_scan, b.depth, b.objects, s.object_pixel);
   }
-  Stream<Scan<F>>& scan = F::kHasObjects ? s.pixel_scan : s.scan;
+  if (F::kUpConverts) fork(s.masked, s.pixel_scan, s.stored_scan);
+  Stream<Scan<F>>& scan = F::kHasObjects || F::kUpConverts ? s.pixel_scan : s.scan;
   if (F::kHasTexture) fork(scan, s.coloured_scan, s.texed_scan);
   Stream<Scan<F>>& coloured = F::kHasTexture ? s.coloured_scan : scan;
   Stream<Pixel<F>>& shown = F::kHasObjects ? s.shown_pixel : s.pixel;
@@ -86,11 +99,11 @@ void pipeline_shade(const Frame<F>& frame, Streams<F>& s, Buffers<F>& b) {
   if (F::kHasObjects) join_entry(shown, s.object_pixel, s.entry);
 }
 
-// With F::kHasMotion in the place of that: one stamp into s.motion.
+// In a pass that moves<F>() in the place of that: one stamp into s.motion.
 template <class F>
 void pipeline_motion(Streams<F>& s, Buffers<F>& b) {
   when(typename F::CompilesMotion(), F::kHasMotion, s, b,
-       [](auto& s, auto& b) { motion_field(s.scan, b.motion, s.motion); });
+       [](auto& s, auto& b) { motion_field(F::kUpConverts ? s.masked : s.scan, b.motion, s.motion); });
 }
 
 }  // namespace halfspace

@@ -7,6 +7,7 @@
 #define HALFSPACE_HLS_PIPELINE_FRONT_HPP_
 
 #include "hls/formats/buffers.hpp"
+#include "hls/motion/pixel_store.hpp"
 #include "hls/objects/scan_object.hpp"
 #include "hls/pipeline/choose.hpp"
 #include "hls/pipeline/pipeline_streams.hpp"
@@ -25,7 +26,11 @@ void pipeline_triangle(const Frame<F>& frame, Streams<F>& s, Buffers<F>& b) {
     fork(s.triangle, s.drawn_triangle, s.numbered_triangle);
     store_object(s.numbered_triangle, b.objects);
   }
-  triangle_setup(frame, F::kHasObjects ? s.drawn_triangle : s.triangle, s.setup, s.attributes);
+  if (F::kUpConverts) {
+    fork(s.triangle, s.drawn_triangle, s.faced_triangle);
+    store_face(s.faced_triangle, b.faces);
+  }
+  triangle_setup(frame, F::kHasObjects || F::kUpConverts ? s.drawn_triangle : s.triangle, s.setup, s.attributes);
   raster_pineda(frame, s.setup, s.stamp, s.triangle_depth, s.visits);
   Stream<Visible<F>>& tested = F::kDeferred ? s.tested : s.visible;
   choose(

@@ -4,8 +4,8 @@
 #ifndef HALFSPACE_HLS_PIPELINE_PIPELINE_STREAMS_HPP_
 #define HALFSPACE_HLS_PIPELINE_PIPELINE_STREAMS_HPP_
 
+#include "hls/formats/film_records.hpp"
 #include "hls/formats/object_records.hpp"
-#include "hls/formats/records.hpp"
 #include "hls/formats/streams.hpp"
 #include "hls/numbers/stream.hpp"
 
@@ -17,6 +17,8 @@ struct InnerStreams {
   Stream<Visible<F>> tested;                                    // deferred: before visible_select
   Stream<Attributes<F>> coloured_attributes, texed_attributes;  // with texture: copies of those of visible triangles
   Stream<Scan<F>> pixel_scan, object_scan;                      // with objects: copies of scan
+  Stream<Triangle<F>> faced_triangle;                           // of films: a copy of triangle
+  Stream<Scan<F>> stored_scan;                                  // of films: a copy of masked, as pixel_scan is
   Stream<Scan<F>> coloured_scan, texed_scan;                    // with texture: copies of either
   Stream<Pixel<F>> shown_pixel;                                 // with objects: before join_entry
   Stream<ObjectPixel<F>> object_pixel;                          // likewise

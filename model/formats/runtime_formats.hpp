@@ -81,9 +81,19 @@ struct ObjectTable<RuntimeFormats<S>> {
   RuntimeEntries<typename F::Object> object{F::kHasObjects ? F::kTriangles : 1};
 };
 template <class S>
+struct FaceTable<RuntimeFormats<S>> {
+  using F = RuntimeFormats<S>;
+  RuntimeEntries<typename F::Face> face{F::kUpConverts ? F::kTriangles : 1};
+};
+template <class S>
+struct HoleMarks<RuntimeFormats<S>> {
+  using F = RuntimeFormats<S>;
+  std::vector<RuntimeRow<Bit, F::kLanes>> hole = decltype(hole)(std::size_t(F::kUpConverts ? F::kStamps : 1));
+};
+template <class S>
 struct ShadingDatabase<RuntimeFormats<S>> {
   using F = RuntimeFormats<S>;
-  RuntimeEntries<Planes<F>> planes{F::kPhong || F::kHasMotion ? 1 : F::kTriangles};
+  RuntimeEntries<Planes<F>> planes{F::kPhong || !F::kShades ? 1 : F::kTriangles};
 };
 template <class S>
 struct NormalDatabase<RuntimeFormats<S>> {

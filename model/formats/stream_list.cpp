@@ -9,22 +9,25 @@ namespace {
 
 // What the table asks of a configuration, one bit each.
 struct Flags {
-  static inline thread_local bool kHasLighting, kPhong, kHasTexture, kHasMotion, kHasObjects, kTestsPlanes, kDeferred;
+  static inline thread_local bool kHasLighting, kPhong, kHasTexture, kHasMotion, kHasObjects, kTestsPlanes, kDeferred,
+      kShades, kUpConverts;
 
   // Whether there is such a configuration.
   static bool set(unsigned bits) {
     kTestsPlanes = bits & 1, kHasLighting = bits & 2, kPhong = bits & 4;
-    kHasTexture = bits & 8, kHasMotion = bits & 16, kHasObjects = bits & 32;
+    kHasTexture = bits & 8, kShades = !(bits & 16), kHasObjects = bits & 32, kUpConverts = bits & 64;
+    kHasMotion = !kShades || kUpConverts;
     kDeferred = kHasLighting || kHasTexture || kHasMotion;
-    return !(kPhong && !kHasLighting) && !(kHasMotion && (kHasLighting || kHasTexture || kHasObjects)) &&
-           !(kHasObjects && kTestsPlanes);
+    return !(kPhong && !kHasLighting) && !(!kShades && (kHasLighting || kHasTexture || kUpConverts)) &&
+           !(kHasObjects && (kTestsPlanes || kHasMotion));
   }
 };
 
 template <class F>
 std::vector<StreamRow> rows() {
 #define HS_ROW(...) HS_STREAM_ROW(__VA_ARGS__),
-  return {HS_PIPELINE_STREAMS(HS_ROW) HS_COMPENSATE_STREAMS(HS_ROW) HS_MERGE_STREAMS(HS_ROW) HS_STATIC_STREAMS(HS_ROW)};
+  return {HS_PIPELINE_STREAMS(HS_ROW) HS_COMPENSATE_STREAMS(HS_ROW) HS_FILM_STREAMS(HS_ROW) HS_MERGE_STREAMS(HS_ROW)
+              HS_STATIC_STREAMS(HS_ROW)};
 #undef HS_ROW
 }
 
@@ -36,7 +39,7 @@ void add(std::vector<std::string>& names, const std::string& name) {
 
 std::vector<ListedStream> all_streams() {
   std::vector<ListedStream> list;
-  for (unsigned bits = 0; bits < 64; ++bits) {
+  for (unsigned bits = 0; bits < 128; ++bits) {
     if (!Flags::set(bits)) continue;
     for (const StreamRow& row : rows<Flags>()) {
       const auto is_row = [&](const ListedStream& s) {

@@ -8,28 +8,15 @@
 #include <optional>
 #include <tuple>
 
+#include "hls/formats/film_records.hpp"
 #include "hls/formats/streams.hpp"
 #include "hls/motion/motion_compensate.hpp"
 #include "model/formats/recorder.hpp"
 #include "model/formats/runtime_formats.hpp"
+#include "model/motion/key_tables.hpp"
 #include "ref/error.hpp"
 
 namespace halfspace {
-
-// The tables of the configuration that was active when they were made.
-template <class S>
-struct KeyWeights<RuntimeFormats<S>> {
-  using F = RuntimeFormats<S>;
-  std::vector<AxisWeights> inner, outer;
-
-  KeyWeights() {
-    const int g = F::kVectorFraction + F::kLog2Samples;
-    for (int n = 0; n < 1 << g; ++n) {
-      inner.push_back(axis_weights(inner_filter(F::kFilter), n, g, F::kWeightBits));
-      outer.push_back(axis_weights(F::kFilter, n, g, F::kWeightBits));
-    }
-  }
-};
 
 namespace model {
 namespace {
@@ -176,8 +163,13 @@ CompensatedFrame compensate(const CompensationInput& input, const Config& config
 }
 
 template <int N>
+struct FilmStreams {
+  HS_STREAM_MEMBERS(HS_FILM_STREAMS)
+};
+
+template <class Streams>
 std::vector<Layout> layouts_of() {
-  CompensateStreams<N> streams;
+  Streams streams;
   return stream_layouts(streams);
 }
 
@@ -219,7 +211,14 @@ CompensatedFrame Compensator::capture(const CompensationInput& input, std::vecto
 
 std::vector<Layout> Compensator::layouts() const {
   F::activate(configuration_.config(), table_);
-  return key_side(configuration_.config().filter) == 4 ? layouts_of<4>() : layouts_of<2>();
+  return key_side(configuration_.config().filter) == 4 ? layouts_of<CompensateStreams<4>>()
+                                                       : layouts_of<CompensateStreams<2>>();
+}
+
+std::vector<Layout> Compensator::film_layouts() const {
+  F::activate(configuration_.config(), table_);
+  if (!F::kUpConverts) return {};
+  return key_side(configuration_.config().filter) == 4 ? layouts_of<FilmStreams<4>>() : layouts_of<FilmStreams<2>>();
 }
 
 }  // namespace model

@@ -59,6 +59,8 @@ class Compensator {
   CompensatedFrame capture(const CompensationInput& input, std::vector<StreamWords>& streams) const;
   // Of those streams.
   std::vector<Layout> layouts() const;
+  // Of the streams of a film besides those of its pipeline; none where the configuration makes no films.
+  std::vector<Layout> film_layouts() const;
 
  private:
   Configuration configuration_;

@@ -52,7 +52,9 @@ void add_objects(PackageWriter& out) {
 // Those of motion_compensate and ztest_merge besides, which are no part of an engine.
 std::vector<Layout> all_layouts(const Configuration& configuration, std::vector<Layout> layouts) {
   if (has_motion(configuration.config())) {
-    for (const Layout& layout : Compensator(configuration).layouts()) layouts.push_back(layout);
+    const Compensator compensator(configuration);
+    for (const Layout& layout : compensator.layouts()) layouts.push_back(layout);
+    for (const Layout& layout : compensator.film_layouts()) layouts.push_back(layout);
   }
   if (has_objects(configuration.config())) {
     for (const Layout& layout : Merger(configuration, kAnyLanes).layouts()) layouts.push_back(layout);
@@ -85,10 +87,13 @@ std::string formats_package(const Configuration& configuration) {
              &T::object});
   out.line("\n");
   for (const Layout& layout : layouts) {
-    if (layout.stream != "visible_attributes") out.record(layout);  // the record of attributes
+    // The records of attributes, and of scan.
+    if (layout.stream != "visible_attributes" && layout.stream != "masked") out.record(layout);
   }
   for (const Layout& layout : all) {
-    if (layout.stream == "merge" || layout.stream == "found") out.record(layout);
+    for (const char* record : {"merge", "found", "asked", "film"}) {
+      if (layout.stream == record) out.record(layout);
+    }
   }
   out.line("endpackage\n");
   return out.text();

@@ -64,6 +64,8 @@ void add_motion(PackageWriter& out) {
   out.bits({&T::difference_plane});
   out.words({"MotionVectors", "MotionPlanes", "Motion"});
   add_key_tables(out);
+  out.constants({"UpConverts", "FramesBetween"});
+  out.words({"ShownPixel", "Asked", "FilmPixel"});
 }
 
 }  // namespace halfspace::model

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include "model/formats/runtime_formats.hpp"
 #include "model/pipeline/engine_impl.hpp"
+#include "model/pipeline/kernels/film.hpp"
 
 namespace halfspace::model {
 namespace {
@@ -75,7 +78,46 @@ class RuntimeEngine : public Engine {
   std::unique_ptr<KernelEngine<RuntimeFormats<S>>> kernels_;
 };
 
+template <class S, int N>
+class RuntimeFilm : public FilmEngine {
+ public:
+  explicit RuntimeFilm(const Configuration& configuration) : configuration_(configuration) {
+    activate();
+    kernels_ = std::make_unique<FilmKernels<RuntimeFormats<S>, N>>();
+  }
+
+  int lanes_x() const override { return S::kX; }
+  int lanes_y() const override { return S::kY; }
+  std::vector<Layout> layouts() const override {
+    activate();
+    return kernels_->layouts();
+  }
+  FilmDrawn run(const FilmPass& pass, const WordSink& sink) override {
+    activate();
+    return kernels_->run(pass, configuration_.config(), sink);
+  }
+
+ private:
+  void activate() const { RuntimeFormats<S>::activate(configuration_.config(), format_table(configuration_.config())); }
+
+  Configuration configuration_;
+  std::unique_ptr<FilmKernels<RuntimeFormats<S>, N>> kernels_;
+};
+
 }  // namespace
+
+std::unique_ptr<FilmEngine> make_film_engine(const Configuration& configuration, int lanes) {
+  const Config config = configuration.config();
+  if (!up_converts(config)) {
+    throw ref::Error(
+        fmt::format("configuration {} makes no films: take one with frames_between = 1 to 9", configuration.name()));
+  }
+  return with_stamp<std::unique_ptr<FilmEngine>>(lanes, [&](auto stamp) -> std::unique_ptr<FilmEngine> {
+    using S = decltype(stamp);
+    if (key_side(config.filter) == 4) return std::make_unique<RuntimeFilm<S, 4>>(configuration);
+    return std::make_unique<RuntimeFilm<S, 2>>(configuration);
+  });
+}
 
 std::unique_ptr<Engine> make_runtime_engine(const Config& config, const FormatTable& table, int lanes) {
   return with_stamp<std::unique_ptr<Engine>>(lanes, [&](auto stamp) -> std::unique_ptr<Engine> {

@@ -25,6 +25,7 @@ std::vector<Layout> layouts_of(const model::Configuration& configuration) {
   std::vector<Layout> all = model::make_engine(configuration, 4)->layouts();
   const auto add = [&](const std::vector<Layout>& more) { all.insert(all.end(), more.begin(), more.end()); };
   if (has_motion(configuration.config())) add(model::Compensator(configuration).layouts());
+  if (has_motion(configuration.config())) add(model::Compensator(configuration).film_layouts());
   if (has_objects(configuration.config())) {
     add(model::Merger(configuration, 4).layouts());
     add(model::StaticRuns(configuration, 4, 8, 8).layouts());

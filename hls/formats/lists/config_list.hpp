@@ -78,5 +78,8 @@ HS_NUMBER(kMotion, samples, has_motion, power(1, 4), kSamples,
 HS_NUMBER(kObjects, object_bits, always, or_none(range(1, 22)), kObjectBits,
           "of the number of an object in a pixel, for static objects buffers; 0: none")
 
+HS_NUMBER(kFilm, frames_between, always, or_none(range(1, 9)), kFramesBetween,
+          "frames that are made between two key frames, which are shaded; 0: none")
+
 #undef HS_NUMBER
 #undef HS_CHOICE

@@ -30,6 +30,8 @@ HS_FLAG(bool, HasGloss, has_gloss)
 HS_FLAG(bool, HasTexture, has_texture)
 HS_FLAG(bool, Bilinear, is_bilinear)
 HS_FLAG(bool, Perspective, has_perspective)
+HS_FLAG(bool, Shades, shades)
+HS_FLAG(bool, UpConverts, up_converts)
 HS_FLAG(bool, HasMotion, has_motion)
 HS_FLAG(bool, Relights, relights)
 HS_FLAG(bool, HasObjects, has_objects)
@@ -54,6 +56,7 @@ HS_CONSTANT(Filter, filter)
 HS_CONSTANT(VectorRange, vector_range)
 HS_CONSTANT(VectorFraction, vector_fraction)
 HS_CONSTANT(WeightBits, weight_bits)
+HS_CONSTANT(FramesBetween, frames_between)
 
 // A view at run time compiles all. refusal() holds the words of the products of ztest_plane for type γ alone.
 HS_COMPILES(PlaneTest, TestsPlanes)
@@ -61,6 +64,7 @@ HS_COMPILES(Phong, Phong)
 HS_COMPILES(Lighting, HasLighting)
 HS_COMPILES(Texture, HasTexture)
 HS_COMPILES(Motion, HasMotion)
+HS_COMPILES(Shading, Shades)
 
 #undef HS_FLAG
 #undef HS_CONSTANT

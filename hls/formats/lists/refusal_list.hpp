@@ -31,6 +31,7 @@ HS_LIMIT(kFaceBits, "")
 HS_LIMIT(kRelight, "")
 HS_LIMIT(kSamples, "")
 HS_LIMIT(kObjectBits, ", or 0 for no objects")
+HS_LIMIT(kFramesBetween, ", or 0 for none")
 
 // A number of what is not there.
 HS_REFUSAL(
@@ -43,10 +44,10 @@ HS_REFUSAL(
     "normal_bits, gloss and materials are 0 where lights is 0, and normal_fraction where shading is not \"phong\"")
 HS_REFUSAL(kIdleTexture,
            "texels and textures are 0 where texture is \"none\"; so are coordinate_bits and coordinate_fraction, and "
-           "mapping is \"affine\", where shading is not \"motion\" either")
+           "mapping is \"affine\", where shading is not \"motion\" and frames_between is 0")
 HS_REFUSAL(kIdleMotion,
            "filter is \"none\", and vector_range, vector_fraction, weight_bits, face_bits, relight and samples are 0, "
-           "where shading is not \"motion\"")
+           "where shading is not \"motion\" and frames_between is 0")
 
 // Choices that contradict one another.
 HS_REFUSAL(kUnlitPhong,
@@ -56,10 +57,16 @@ HS_REFUSAL(kIdleArchitecture,
            "architecture out")
 HS_REFUSAL(kMotionShading,
            "shading \"motion\" takes no lights and no texture: frames in between have the colours of the key frames")
-HS_REFUSAL(kFilter, "shading \"motion\" takes a filter: \"nearest\", \"bilinear\", \"area\" or \"bicubic\"")
+HS_REFUSAL(kFilter, "frames in between take a filter: \"nearest\", \"bilinear\", \"area\" or \"bicubic\"")
+HS_REFUSAL(kFilmShading,
+           "frames_between is the frames between two that are shaded, and shading \"motion\" shades none: take another "
+           "shading, or leave frames_between out")
+HS_REFUSAL(kFilmSamples,
+           "samples is 1 where frames_between is not 0: key frames of more samples would have to be averaged, and no "
+           "unit does that")
 HS_REFUSAL(kObjectsNeedDepth,
-           "object_bits is 0 without a Z-buffer, with architecture \"gamma\" and with shading \"motion\": a merge "
-           "compares the depths of a Z-buffer")
+           "object_bits is 0 without a Z-buffer, with architecture \"gamma\", with shading \"motion\" and where "
+           "frames_between is not 0: a merge compares the depths of a Z-buffer")
 
 HS_REFUSAL(kFrameOutsideRange,
            "the frame and 12 pixels around it do not lie within the range of positions: raise range_bits (20 at most) "

@@ -14,6 +14,7 @@ struct Triangle {
   typename F::Bit last;  // of the frame
   typename F::Index index;
   typename F::Object object;  // that the triangle is of; not 0
+  typename F::Face face;      // F::kUpConverts: of the scene that the triangle is of, as its key pixels have it; not 0
   typename F::Coord x[3], y[3];
   typename F::Depth depth[3];
   typename F::Colour r[3], g[3], b[3];  // flat: at [0]
@@ -22,6 +23,7 @@ struct Triangle {
   HS_INLINE constexpr void visit(V&& v) {
     v("last", last), v("index", index);
     if (F::kHasObjects) v("object", object);
+    if (F::kUpConverts) v("face", face);
     v("x0", x[0]), v("x1", x[1]), v("x2", x[2]);
     v("y0", y[0]), v("y1", y[1]), v("y2", y[2]);
     if (F::kHasDepth) v("depth0", depth[0]), v("depth1", depth[1]), v("depth2", depth[2]);

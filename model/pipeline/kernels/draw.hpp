@@ -23,6 +23,7 @@ struct TriangleAnswers {
   std::vector<RawCoordinates> coordinates;
   std::vector<RawMotionVectors> vectors;
   std::vector<std::uint32_t> objects;  // none: all are of object 1
+  std::vector<std::uint32_t> faces;    // none: all are of face 1
   std::uint32_t window = 0;            // of index reuse
 };
 
@@ -52,20 +53,20 @@ void check_objects(const std::vector<std::uint32_t>& objects, std::size_t triang
 
 // Throws ref::Error for a frame that the configuration cannot draw.
 template <class F>
-void check_frame(const ref::SnappedList& scene, const TriangleAnswers& answers, bool all) {
+void check_frame(const ref::SnappedList& scene, const TriangleAnswers& answers, bool all, Pass pass) {
   const std::size_t count = scene.triangles.size();
   const bool too_many = all && answers.window == 0 && count > std::size_t(F::kTriangles);
   if (scene.width > F::kWidth || scene.height > F::kHeight || too_many) {
     throw ref::Error("a frame is larger than the configuration that is to draw it: snap it for that configuration");
   }
-  if (F::kHasLighting && answers.normals.size() != count) {
+  if (F::kHasLighting && !moves<F>(pass) && answers.normals.size() != count) {
     throw ref::Error("the configuration lights triangles, and these came without normals: take one without lights");
   }
-  if (F::kHasTexture && answers.coordinates.size() != count) {
+  if (F::kHasTexture && !moves<F>(pass) && answers.coordinates.size() != count) {
     throw ref::Error(
         "the configuration draws textures, and the triangles came without coordinates: take one without texture");
   }
-  if (F::kHasMotion && answers.vectors.size() != count) {
+  if (moves<F>(pass) && answers.vectors.size() != count) {
     throw ref::Error(
         "the configuration is of frames in between, and the triangles came without motion: take one that shades "
         "them");
@@ -75,20 +76,21 @@ void check_frame(const ref::SnappedList& scene, const TriangleAnswers& answers, 
 
 // What geometry answers when triangle k is visible.
 template <class F>
-void answer(const Visible<F>& done, const TriangleAnswers& answers, std::size_t k, Streams<F>& s) {
+void answer(const Visible<F>& done, const TriangleAnswers& answers, std::size_t k, Pass pass, Streams<F>& s) {
   if (!raw(done.visible)) return;
   const int index = int(raw(done.index));
   const bool last = raw(done.last) != 0;
+  if (moves<F>(pass)) s.motion_vectors.write(vectors_record<F>(answers.vectors[k], index, last));
+  if (moves<F>(pass)) return;
   if (F::kHasLighting) s.normals.write(normals_record<F>(answers.normals[k], index, last));
   if (F::kHasTexture) s.texture_coordinates.write(coordinates_record<F>(answers.coordinates[k], index, last));
-  if (F::kHasMotion) s.motion_vectors.write(vectors_record<F>(answers.vectors[k], index, last));
 }
 
 // Draws all triangles into the buffers; else those that there are indices for. Returns how many.
 template <class F>
 std::size_t draw(const ref::SnappedList& scene, const TriangleAnswers& answers, bool all, Streams<F>& streams,
-                 Buffers<F>& buffers, std::vector<bool>* visible) {
-  check_frame<F>(scene, answers, all);
+                 Buffers<F>& buffers, std::vector<bool>* visible, Pass pass = only_pass<F>()) {
+  check_frame<F>(scene, answers, all, pass);
   if (visible) visible->resize(scene.triangles.size());
   const Frame<F> registers = frame_registers<F>(scene);
   const std::size_t count = scene.triangles.size();
@@ -98,12 +100,13 @@ std::size_t draw(const ref::SnappedList& scene, const TriangleAnswers& answers, 
     Triangle<F> t{};  // none at all, which ends a frame without triangles
     if (k < count)
       t = triangle_record<F>(scene.triangles[k], pool.take(), answers.objects.empty() ? 1 : answers.objects[k]);
+    if (F::kUpConverts && k < count) t.face = from_raw<typename F::Face>(answers.faces.empty() ? 1 : answers.faces[k]);
     t.last = from_raw<Bit>(k + 1 >= count);
     streams.triangle.write(t);
     pipeline_triangle(registers, streams, buffers);
     const Visible<F> done = streams.visible.read();
-    answer<F>(done, answers, k, streams);
-    pipeline_planes(streams, buffers);
+    answer<F>(done, answers, k, pass, streams);
+    pipeline_planes(pass, streams, buffers);
     pool.done(std::uint32_t(raw(done.index)), raw(done.visible) != 0);
     if (visible && k < count) (*visible)[k] = raw(done.visible) != 0;
   }

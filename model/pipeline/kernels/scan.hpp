@@ -41,15 +41,17 @@ void put_stamp(const Pixel<F>& in, int width, int height, Colours8& colour) {
 template <class F>
 void scan_out(const ref::SnappedList& scene, const Frame<F>& registers, Streams<F>& streams, Buffers<F>& buffers,
               Colours8& colour) {
-  colour.resize(F::kHasMotion ? 0 : std::size_t(scene.width) * scene.height);
+  colour.resize(!F::kShades ? 0 : std::size_t(scene.width) * scene.height);
   for (int stamp_y = 0; stamp_y * F::kLanesY < scene.height; ++stamp_y) {
     pipeline_scan(registers, stamp_y, streams, buffers);
-    while (F::kHasMotion && !streams.scan.empty()) {
+    while (!F::kShades && !streams.scan.empty()) {
       pipeline_motion(streams, buffers);
       while (!streams.motion.empty()) streams.motion.read();
     }
     while (!streams.scan.empty()) {
+      if (F::kUpConverts) pipeline_mask(Pass::kKey, streams, buffers);
       pipeline_shade(registers, streams, buffers);
+      if (F::kUpConverts) streams.stored_scan.read();
       put_stamp<F>(F::kHasObjects ? Pixel<F>(streams.entry.read()) : streams.pixel.read(), scene.width, scene.height,
                    colour);
     }
