@@ -18,6 +18,7 @@
 #include "vectors/frames/awkward.hpp"
 #include "vectors/frames/extremes.hpp"
 #include "vectors/frames/features/feature_extremes.hpp"
+#include "vectors/frames/rare_frames.hpp"
 #include "vectors/frames/static_sequence.hpp"
 #include "vectors/staging.hpp"
 #include "vectors/standard_set.hpp"
@@ -247,10 +248,11 @@ void write_vectors(const VectorsOptions& options) {
     return write_film(options, configuration);
   if (options.input.scene == "compensation" || options.input.scene == kCompensationExtremes || options.compensation)
     return write_compensation(options, configuration);
-  const bool between = options.input.scene == "between", extremes = options.input.scene == kExtremes;
+  const bool between = options.input.scene == "between", extremes = options.input.scene == kExtremes,
+             rare = options.input.scene == "rare";
   const bool standard = between || options.input.scene == "standard", largest = options.input.scene == "largest";
-  const bool corners = standard || (options.corners && !largest && !extremes);
-  if (!standard && !largest && !extremes) {
+  const bool corners = standard || (options.corners && !largest && !extremes && !rare);
+  if (!standard && !largest && !extremes && !rare) {
     LoadedScene scene = load_snapped(options.input);
     configuration = scene.configuration;
     tell_if_unseen(scene, !scene.list.triangles.empty());
@@ -261,6 +263,7 @@ void write_vectors(const VectorsOptions& options) {
   }
   const ref::RasterFormat format = model::raster_format(configuration);
   if (largest) frames = model::largest_frames(format);
+  if (rare) frames = model::rare_frames(format, configuration.config());
   if (extremes) {
     frames = model::feature_extremes(format, configuration.config());
     if (frames.empty()) frames = model::extreme_frames(format);
@@ -314,7 +317,8 @@ void add_vectors(CLI::App& app, int&) {
       "`between` stands for those of `standard`, compensated, and `compensation` for the unit of that name; `merge`\n"
       "in one with objects for the unit that merges buffers. `extremes` stands for the numerical extremes of light,\n"
       "texture, motion and objects, of what the configuration has; `compensation_extremes` and `merge_extremes` for\n"
-      "those of the two units. `static` writes two sets, OUT/pipeline and OUT/merge: a random sequence of the\n"
+      "those of the two units; `rare` for orders of events that faults between frames need.\n"
+      "`static` writes two sets, OUT/pipeline and OUT/merge: a random sequence of the\n"
       "static objects buffer, of 20x16 pixels if no size is given; `static_frames` one of all streams of such a\n"
       "sequence, for hs_static_frames. In a configuration with frames_between SCENE is animated, and the set is a "
       "film\n"

@@ -124,10 +124,14 @@ function(halfspace_lint name)
   endforeach()
 endfunction()
 
-# halfspace_faults(NAME FAULTS CONFIG [SCENE scene] UNITS unit …): that the benches of these with four lanes find each
-# of tb/faults/FAULTS.txt; a test for each unit that has faults there, NAME_UNIT, or NAME if it is one alone.
+# halfspace_faults(NAME FAULTS CONFIG [SCENE scene] [LANES lanes] UNITS unit …): that the benches of these, with four
+# lanes, find each of tb/faults/FAULTS.txt; a test for each unit that has faults there, NAME_UNIT, or NAME if it is one
+# alone.
 function(halfspace_faults name faults config)
-  cmake_parse_arguments(PARSE_ARGV 3 F "" "SCENE" "UNITS")
+  cmake_parse_arguments(PARSE_ARGV 3 F "" "SCENE;LANES" "UNITS")
+  if(NOT F_LANES)
+    set(F_LANES 4)
+  endif()
   if(NOT F_SCENE)
     set(F_SCENE standard)
   endif()
@@ -147,6 +151,7 @@ function(halfspace_faults name faults config)
       BUILDS halfspace halfspace_tb halfspace_verilated ${package_target}
       COMMAND $<TARGET_FILE:Python3::Interpreter> ${PROJECT_SOURCE_DIR}/tb/faults/run.py --units ${F_UNITS} --of ${unit}
         --faults ${file} --config ${config_of_${config}} --scene ${F_SCENE} --package ${package}
+        --lanes ${F_LANES}
         --halfspace $<TARGET_FILE:halfspace> --work ${CMAKE_CURRENT_BINARY_DIR}/${test} --jobs 2
         --library $<TARGET_FILE:halfspace_tb> --library $<TARGET_FILE:halfspace_verilated>
         --verilator ${HALFSPACE_VERILATOR} --cxx ${CMAKE_CXX_COMPILER})

@@ -5,7 +5,7 @@
     vectors/bits.py build/cli/halfspace > vectors/standard/bits.sha256         what there is
     vectors/bits.py build/cli/halfspace --held vectors/standard/bits.sha256    fails where it is not what there was
 
-The named configurations and all of tests/configs: the set `standard`, with motion also `compensation` and `between`,
+The named configurations and all of tests/configs: `standard` and `rare`, with motion also `compensation` and `between`,
 with objects also `merge` and `static_frames`, the extremes of each of these and of light and texture; of one that makes
 films the set `film` alone; and the package of formats of each.
 A line is: configuration, set, stream, SHA-256.
@@ -26,6 +26,7 @@ def sets_of(text):
         yield "film"
         return
     yield "standard"
+    yield "rare"
     moves = 'shading = "motion"' in text
     has_objects = "object_bits" in text and "object_bits = 0" not in text
     if moves:

@@ -11,6 +11,11 @@ halfspace_units_cosim(middle 1 standard 10)
 halfspace_units_cosim(middle 16 standard 10)
 halfspace_units_cosim(high 4 standard 10)
 
+# A stamp behind one of the frame before.
+foreach(lanes IN ITEMS 1 16)
+  halfspace_cosim(ztest_index_rare_middle_${lanes} ztest_index middle ${lanes} rare STALL 75 SEEDS 10)
+endforeach()
+
 # The pipeline: corner cases and random frames under ten seeds, then whole frames without stalls, where the cycles of a
 # frame are held to 1.25 of what the units' rates allow.
 function(halfspace_frames_cosim config lanes)

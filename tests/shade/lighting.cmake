@@ -6,6 +6,8 @@ foreach(config IN LISTS configs)
 endforeach()
 halfspace_lint(lint_lighting UNITS light_vertex visible_select shade_setup CONFIGS ${configs})
 halfspace_faults(faults_lighting lighting lit_high UNITS triangle_setup visible_select light_vertex shade_setup)
+halfspace_cosim(light_vertex_extremes_lit_low light_vertex lit_low 4 extremes)
+halfspace_faults(faults_one_unit one_unit lit_low SCENE extremes UNITS light_vertex)
 
 # The normals of scenes.
 function(halfspace_lit_scene config scene)
