@@ -20,6 +20,7 @@ void add_compare(CLI::App& app, int& status);
 void add_config(CLI::App& app, int& status);
 void add_fit(CLI::App& app, int& status);
 void add_package(CLI::App& app, int& status);
+void add_inspect(CLI::App& app, int& status);
 void add_streams(CLI::App& app, int& status);
 void add_bounds(CLI::App& app, int& status);
 void add_report(CLI::App& app, int& status);

@@ -91,6 +91,22 @@ void Bench::set_frame(const Frame& frame) {
   model_->set("background_i", rgb[0] << 2 * bits | rgb[1] << bits | rgb[2]);
 }
 
+void Bench::keep_timeline() {
+  has_timeline_ = true;
+  for (const Sender& sender : senders_) timeline_.add(sender.name());
+  for (const Receiver& receiver : receivers_) timeline_.add(receiver.name());
+}
+
+// Words that moved are counted by now, and the wires are as they were.
+void Bench::note_streams() {
+  timeline_.begin(cycle_);
+  const auto note = [&](const Wires& wires) {
+    timeline_.note(*wires.valid->bit() != 0, wires.ready == nullptr || *wires.ready->bit() != 0);
+  };
+  for (const Sender& sender : senders_) note(sender.wires());
+  for (const Receiver& receiver : receivers_) note(receiver.wires());
+}
+
 bool Bench::step() {
   for (Sender& sender : senders_) sender.drive();
   for (Receiver& receiver : receivers_) receiver.drive();
@@ -100,6 +116,7 @@ bool Bench::step() {
   bool moved = false;
   for (Sender& sender : senders_) moved |= sender.sample();
   for (Receiver& receiver : receivers_) moved |= receiver.sample(cycle_);
+  if (has_timeline_ && (moved || first_move_ != 0)) note_streams();
   for (Memory& memory : memories_) memory.sample();
   *clock_ = 1;
   model_->eval();
@@ -201,7 +218,8 @@ void Bench::abandon(const std::string& note, Result* result) {
     note_cycle(receiver, result);
     if (receiver.mismatches() == 0) continue;
     const Stream& stream = *vectors_->find(receiver.name());
-    result->streams.push_back({stream.name, stream.from, stream.to, receiver.words(), receiver.mismatches(), 0, {}});
+    result->streams.push_back(
+        {stream.name, stream.from, stream.to, receiver.words(), receiver.mismatches(), 0, {}, {}});
   }
   for (const std::string& failure : failures_) result->failures.push_back(failure + note);
   result->simulated += cycle_;
@@ -213,7 +231,7 @@ void Bench::finish(Result* result) {
     receiver.finish();
     const Stream& stream = *vectors_->find(receiver.name());
     result->streams.push_back({stream.name, stream.from, stream.to, receiver.words(), receiver.mismatches(),
-                               receiver.missing(), receiver.failures()});
+                               receiver.missing(), receiver.failures(), receiver.wrong()});
     result->ends[stream.name] = state_of(receiver.wires());
     note_cycle(receiver, result);
     if (receiver.words() == 0 && !vectors_->is_background()) {
@@ -225,6 +243,7 @@ void Bench::finish(Result* result) {
   blame(*vectors_, result);
   for (const std::string& failure : failures_) result->failures.push_back(failure);
   result->simulated += cycle_;
+  result->timeline = timeline_;
   note_life(result);
 }
 

@@ -19,6 +19,7 @@
 #include "tb/harness/options.hpp"
 #include "tb/report/accesses.hpp"
 #include "tb/report/rates.hpp"
+#include "tb/report/timeline.hpp"
 
 namespace halfspace::tb {
 
@@ -26,6 +27,7 @@ struct StreamResult {
   std::string name, from, to;
   std::size_t words = 0, mismatches = 0, missing = 0;
   std::vector<std::string> failures;
+  std::vector<WrongWord> wrong;
 };
 
 // The wires of a stream when the run ended.
@@ -59,6 +61,8 @@ struct Result {
   // Of the pipeline, the last frame's.
   Rates rates;
   std::vector<Accesses> accesses;
+  Timeline timeline;
+  std::vector<std::uint64_t> frame_ends;  // cycles
 
   std::size_t words() const;
   std::size_t mismatches() const;
@@ -90,6 +94,8 @@ class Bench {
   Receiver& add_receiver(const Stream& stream, const std::string& port = "");
   Memory& add_memory(const MemoryPorts& ports);
 
+  // From the first word on; all streams are there.
+  void keep_timeline();
   void reset();
   void set_frame(const Frame& frame);
   // Steps until done() holds; `patience` cycles without a word that was expected are a hang: told, and false. So are
@@ -114,6 +120,7 @@ class Bench {
 
  private:
   bool step();
+  void note_streams();
   void tell_progress();
   std::string waiting() const;
 
@@ -126,6 +133,8 @@ class Bench {
 
   std::string name_;
   int life_;
+  Timeline timeline_;
+  bool has_timeline_ = false;
   std::uint8_t* clock_;
   std::deque<Sender> senders_;
   std::deque<Receiver> receivers_;

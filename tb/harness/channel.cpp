@@ -6,6 +6,8 @@
 namespace halfspace::tb {
 namespace {
 
+constexpr std::size_t kWrongKept = 100;
+
 std::string count_of(std::size_t n, std::size_t total) { return std::to_string(n) + " of " + std::to_string(total); }
 
 std::string handshake(const Wires& wires) {
@@ -192,6 +194,7 @@ bool Receiver::take(std::uint64_t cycle) {
   const Segment& segment = segments_[current_];
   ++words_;
   if (std::memcmp(segment.stream->words[position_], wires_.data->data, std::size_t(wires_.data->bytes)) != 0) {
+    if (wrong_.size() < kWrongKept) wrong_.push_back({position_, cycle, word_at(*wires_.data, held_.size())});
     if (mismatches_++ == 0) {
       const WordPlace place{&vectors_, segment.stream, position_, segment.frame, segment.note, std::int64_t(cycle)};
       fail(describe_mismatch(place, word_at(*wires_.data, held_.size()).data()), cycle);

@@ -39,6 +39,13 @@ struct Wires {
 Wires input_wires(const Model& model, const std::string& port, const Stream& stream);
 Wires output_wires(const Model& model, const std::string& port, const Stream& stream);
 
+// A word that is not as expected.
+struct WrongWord {
+  std::size_t word;  // of the stream's file
+  std::uint64_t cycle;
+  std::vector<std::uint32_t> got;
+};
+
 class Sender {
  public:
   // Without a ready port every word offered is taken.
@@ -99,6 +106,8 @@ class Receiver {
   // The cycle of the first failure that is no missing word; < 0: there is none.
   std::int64_t first_cycle() const { return first_cycle_; }
   const Wires& wires() const { return wires_; }
+  // The first of them.
+  const std::vector<WrongWord>& wrong() const { return wrong_; }
   // Sentences: the first mismatch, the first word of surplus, what is missing, the first fault of the handshake.
   const std::vector<std::string>& failures() const { return failures_; }
   // The cycle of each frame's last word, in the order of the segments.
@@ -121,6 +130,7 @@ class Receiver {
   std::size_t words_ = 0, total_ = 0, mismatches_ = 0, surplus_ = 0, missing_ = 0, protocol_ = 0;
   std::vector<std::string> failures_;
   std::int64_t first_cycle_ = -1;
+  std::vector<WrongWord> wrong_;
   std::vector<std::uint64_t> end_cycles_;
   std::vector<std::uint32_t> held_;
   bool is_held_ = false, shy_ = false;

@@ -156,6 +156,7 @@ Result run_pipeline(Model* model, const Vectors& vectors, const Options& options
 
   if (vectors.window != 0) triangles->hold(&geometry.triangles);
 
+  if (!options.json.empty()) bench.keep_timeline();
   const Stopwatch stopwatch;
   bench.reset();
   const std::vector<Turn> turns = turns_of(vectors, options.frames);
@@ -201,6 +202,7 @@ Result run_pipeline(Model* model, const Vectors& vectors, const Options& options
   result.accesses =
       count_accesses(vectors, last->counted, {number("MaxWidth"), number("MaxHeight"), number("Triangles")});
   const std::vector<std::uint64_t>& ends = pixel->end_cycles();
+  result.frame_ends = ends;
   if (options.frames > 1 && ends.size() == turns.size()) {
     result.cycles = ends.back() - ends[ends.size() - 2];
     result.cycles_of = "the last frame, in steady state";

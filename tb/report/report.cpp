@@ -12,6 +12,23 @@
 namespace halfspace::tb {
 namespace {
 
+// Most significant first, without zeros in front.
+std::string hex_of(const std::vector<std::uint32_t>& word) {
+  std::string text;
+  for (std::size_t part = word.size(); part-- > 0;) {
+    char digits[9];
+    std::snprintf(digits, sizeof digits, "%08x", word[part]);
+    text += digits;
+  }
+  return text.substr(std::min(text.find_first_not_of('0'), text.size() - 1));
+}
+
+nlohmann::ordered_json json_of(const Timeline& timeline) {
+  nlohmann::ordered_json json = {{"first", timeline.first()}, {"step", timeline.step()}};
+  for (const Timeline::Row& row : timeline.rows()) json["streams"][row.stream] = row.buckets;
+  return json;
+}
+
 std::FILE* standard_output = stdout;  // where the file "-" goes
 
 void print_table(const Result& result) {
@@ -80,6 +97,9 @@ std::string json_report(const Vectors& vectors, const Options& options, const st
                          {"mismatches", stream.mismatches},
                          {"missing", stream.missing},
                          {"failures", stream.failures}});
+      for (const WrongWord& wrong : stream.wrong) {
+        streams.back()["wrong"].push_back({{"word", wrong.word}, {"cycle", wrong.cycle}, {"got", hex_of(wrong.got)}});
+      }
     }
     Json run = {{"unit", result.unit},
                 {"passed", result.passed()},
@@ -97,6 +117,8 @@ std::string json_report(const Vectors& vectors, const Options& options, const st
                 {"failures", result.failures},
                 {"follows", result.follows}};
     run["repeated"] = result.repeated;
+    if (!result.timeline.rows().empty()) run["timeline"] = json_of(result.timeline);
+    if (!result.frame_ends.empty()) run["frame_ends"] = result.frame_ends;
     if (result.bound.cycles() != 0) {
       run["bound"] = {{"cycles", result.bound.cycles()},
                       {"setup", result.bound.setup},

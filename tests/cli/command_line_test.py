@@ -12,8 +12,8 @@ import unittest
 
 HALFSPACE, MODELS = sys.argv[1], pathlib.Path(sys.argv[2])
 CONFIGS = pathlib.Path(__file__).resolve().parent.parent / "configs"
-COMMANDS = ("render", "vectors", "compare", "config", "package", "report", "bounds", "fit", "stability", "sweep",
-            "frames", "quality", "cost")
+COMMANDS = ("render", "vectors", "compare", "inspect", "config", "package", "report", "bounds", "fit", "stability",
+            "sweep", "frames", "quality", "cost")
 TRIANGLE = "t 1 1 0.5 255 0 0  30 2 0.5 0 255 0  4 20 0.25 0 0 255\n"
 
 

@@ -4,7 +4,7 @@ import pathlib
 
 CPP = {".cpp", ".hpp", ".h"}
 SV = {".sv", ".svh"}
-SUFFIXES = CPP | SV | {".py", ".cmake", ".sh", ".md", ".txt", ".toml", ".yaml", ".yml", ".vlt", ".inc"}
+SUFFIXES = CPP | SV | {".py", ".cmake", ".sh", ".md", ".txt", ".toml", ".yaml", ".yml", ".vlt", ".inc", ".html", ".js"}
 LISTS = {".toml", ".txt", ".yaml", ".yml"}  # an entry a line
 UNREAD = {"__pycache__", "build"}
 NAMES = {"Makefile", "Makefile.sim", "Snakefile", "CMakeLists.txt"}
