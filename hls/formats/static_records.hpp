@@ -33,7 +33,7 @@ struct StaticCommand : Merge<F> {
 
 // A stamp that is read.
 template <class F>
-struct StampPlace {
+struct BufferPlace {
   BufferNumber buffer;
   typename F::X x;
   typename F::Y y;
@@ -61,7 +61,7 @@ struct StampPixels {
 // A stamp that is written.
 template <class F>
 struct KeptStamp {
-  StampPlace<F> place;
+  BufferPlace<F> place;
   StampPixels<F> pixels;
 
   template <class V>

@@ -197,13 +197,13 @@ struct Units {
     "a run, and where its stamps come from and go to", StaticCommand<F>)                                         \
   X(stored_place, stored_place, Fetch, "static_run", "memory", "",                                               \
     F::kHasObjects, "object_bits > 0",                                                                           \
-    "a stamp that is stored", StampPlace<F>)                                                                     \
+    "a stamp that is stored", BufferPlace<F>)                                                                     \
   X(stored_pixels, stored_pixels, Fetch, "memory", "static_run", "",                                             \
     F::kHasObjects, "object_bits > 0",                                                                           \
     "in answer, its pixels", StampPixels<F>)                                                                     \
   X(drawn_place, drawn_place, Fetch, "static_run", "memory", "",                                                 \
     F::kHasObjects, "object_bits > 0",                                                                           \
-    "a stamp that is merged with it, and is no pass", StampPlace<F>)                                             \
+    "a stamp that is merged with it, and is no pass", BufferPlace<F>)                                             \
   X(drawn_pixels, drawn_pixels, Fetch, "memory", "static_run", "",                                               \
     F::kHasObjects, "object_bits > 0",                                                                           \
     "in answer, its pixels", StampPixels<F>)                                                                     \

@@ -83,8 +83,8 @@ Lanes:
 }
 
 template <class F>
-StampPlace<F> place_of(const BufferNumber& buffer, const BoxPlace<F>& at) {
-  StampPlace<F> out;
+BufferPlace<F> place_of(const BufferNumber& buffer, const BoxPlace<F>& at) {
+  BufferPlace<F> out;
   out.buffer = buffer;
   out.x = at.x;
   out.y = at.y;

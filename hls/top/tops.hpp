@@ -220,6 +220,15 @@ void back_objects_top(
     halfspace::MemoryWord<halfspace::ObjectEntry> objects[halfspace::ObjectTable<halfspace::TopFormats>::kWords],
     halfspace::Port<halfspace::FrameWord>& frame, halfspace::Port<halfspace::Entry>& entry);
 
+// A command: what it reads of the buffers through ztest_merge into a buffer or the frame.
+void static_frames_top(halfspace::Port<halfspace::StaticCommand>& command, halfspace::Port<halfspace::Entry>& entry,
+                       halfspace::Port<halfspace::BufferPlace>& stored_place,
+                       halfspace::Port<halfspace::StampPixels>& stored_pixels,
+                       halfspace::Port<halfspace::BufferPlace>& drawn_place,
+                       halfspace::Port<halfspace::StampPixels>& drawn_pixels,
+                       halfspace::Port<halfspace::KeptStamp>& kept, halfspace::Port<halfspace::Entry>& shown,
+                       halfspace::Port<halfspace::Found>& found);
+
 }  // extern "C"
 
 #endif  // HALFSPACE_HLS_TOP_TOPS_HPP_

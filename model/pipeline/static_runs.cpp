@@ -32,12 +32,12 @@ class StampMemory {
   }
 
   void watch(StaticStreams<F>* streams) { streams_ = streams; }
-  StampPixels<F> read_stored(const StampPlace<F>& place) {
+  StampPixels<F> read_stored(const BufferPlace<F>& place) {
     const StampPixels<F> out = at(place);
     streams_->stored_place.write(place), streams_->stored_pixels.write(out);
     return out;
   }
-  StampPixels<F> read_drawn(const StampPlace<F>& place) {
+  StampPixels<F> read_drawn(const BufferPlace<F>& place) {
     const StampPixels<F> out = at(place);
     streams_->drawn_place.write(place), streams_->drawn_pixels.write(out);
     return out;
@@ -48,7 +48,7 @@ class StampMemory {
   }
 
  private:
-  StampPixels<F>& at(const StampPlace<F>& place) {
+  StampPixels<F>& at(const BufferPlace<F>& place) {
     const std::size_t stamp = std::size_t(raw(place.y)) * std::size_t(stamps_x_) + std::size_t(raw(place.x));
     return pixels_[std::size_t(raw(place.buffer))].at(stamp);
   }

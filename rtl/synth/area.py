@@ -4,9 +4,9 @@
 
 hs_pipeline is elaborated for each package and number of lanes and taken apart into its units and `composition`, all
 that is between them (queues, frame control, the multiplexers of the I-buffer). Each part is flattened and mapped
-alone; `pipeline` is their sum, and its depth that of the parts joined. With objects ztest_merge, which stands beside
-hs_pipeline, is one of them. The memories of the frame (Z-buffer, I-buffer, TdbS, the table of objects) are left out of
-every part and told in bits under `buffers`.
+alone; `pipeline` is their sum, and its depth that of the parts joined. With objects ztest_merge and static_run, which
+stand beside hs_pipeline, are two of them. The memories of the frame (Z-buffer, I-buffer, TdbS, the table of objects)
+are left out of every part and told in bits under `buffers`.
 """
 
 import argparse

@@ -2,9 +2,9 @@
 """What is measured: hs_pipeline as Yosys elaborates it for a package and a number of lanes, taken apart.
 
 The parts are the units, and `composition`: all that hs_pipeline adds to them (queues, frame control, the multiplexers
-of the I-buffer). hs_ztest_merge and hs_motion_compensate, which stand beside it, are ones where the configuration has
-them. Each part is a flat module in RTLIL in which nothing is left of a file's place, of its line numbers, or of the
-numbers that Yosys counts up: so a part has the same text whenever it is the same hardware.
+of the I-buffer). hs_ztest_merge, hs_static_run and hs_motion_compensate, which stand beside it, are ones where the
+configuration has them. Each part is a flat module in RTLIL in which nothing is left of a file's place, of its line
+numbers, or of the numbers that Yosys counts up: so a part has the same text whenever it is the same hardware.
 """
 
 import dataclasses
@@ -22,7 +22,7 @@ from units import CONFIG, LANES, below, constants, has, parameters  # noqa: E402
 
 UNITS = ("triangle_setup", "light_vertex", "shade_setup", "phong_setup", "texture_setup", "motion_setup",
          "raster_pineda", "ztest_index", "ztest_plane", "scan_index", "shade_gouraud", "shade_phong", "shade_texture",
-         "motion_field", "motion_compensate", "scan_object", "ztest_merge")
+         "motion_field", "motion_compensate", "scan_object", "ztest_merge", "static_run")
 COMPOSITION = "composition"
 # Memories of the frame, which an FPGA may hold elsewhere: they are counted in bits, not mapped.
 BUFFERS = ("depth_buffer", "visibility_database", "shading_database", "texture_database", "motion_database",

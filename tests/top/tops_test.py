@@ -18,7 +18,7 @@ EXPECTED = {"raster_pineda": "stamp", "raster_pineda_plane": "triangle_depth", "
             "texture_setup": "texture_planes", "motion_setup": "motion_planes", "scan_index": "scan",
             "motion_field": "motion", "ztest_merge": "found", "motion_compensate": "compensated",
             "front": "visible", "back": "pixel", "pipeline": "pixel",
-            "back_compensate": "compensated"}
+            "back_compensate": "compensated", "static_frames": "shown"}
 
 
 def run(bench, top, folder):

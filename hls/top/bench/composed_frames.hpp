@@ -238,6 +238,35 @@ void frame_of_back_objects(B& bench) {
   shade.expect_cleared(bench);
 }
 
+// Places are answered in the order of the set, as pixels stand in it. A frame has several commands.
+template <class B>
+void frame_of_static_frames(B& bench) {
+  using F = TopFormats;
+  Port<StaticCommand> command;
+  Port<Entry> entry, shown;
+  Port<BufferPlace> stored_place, drawn_place;
+  Port<StampPixels> stored_pixels, drawn_pixels;
+  Port<KeptStamp> kept;
+  Port<Found> found;
+  bench.template send<StaticCommand<F>>("command", command);
+  bench.template send<Entry<F>>("entry", entry);
+  bench.template send<StampPixels<F>>("stored_pixels", stored_pixels);
+  bench.template send<StampPixels<F>>("drawn_pixels", drawn_pixels);
+  const std::size_t commands = bench.template records<StaticCommand<F>>("command").size();
+  bench.announce(2, bench.template records<BufferPlace<F>>("stored_place").size());
+  bench.announce(4, bench.template records<BufferPlace<F>>("drawn_place").size());
+  bench.announce(6, bench.template records<KeptStamp<F>>("kept").size());
+  bench.announce(7, bench.template records<Entry<F>>("shown").size());
+  bench.announce(8, commands);
+  for (std::size_t n = 0; n < commands; ++n)
+    static_frames_top(command, entry, stored_place, stored_pixels, drawn_place, drawn_pixels, kept, shown, found);
+  bench.template expect<BufferPlace<F>>("stored_place", stored_place);
+  bench.template expect<BufferPlace<F>>("drawn_place", drawn_place);
+  bench.template expect<KeptStamp<F>>("kept", kept);
+  bench.template expect<Entry<F>>("shown", shown);
+  bench.template expect<Found<F>>("found", found);
+}
+
 template <class B>
 void frame_of_pipeline(B& bench) {
   Port<FrameWord> frame;

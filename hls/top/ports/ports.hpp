@@ -24,7 +24,7 @@
 #endif
 #include "hls/formats/buffers.hpp"
 #include "hls/formats/key_records.hpp"
-#include "hls/formats/object_records.hpp"
+#include "hls/formats/static_records.hpp"
 #include "hls/formats/stream_depths.hpp"
 #include "hls/top/ports/port_pragmas.hpp"
 
