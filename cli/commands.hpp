@@ -26,6 +26,7 @@ void add_bounds(CLI::App& app, int& status);
 void add_report(CLI::App& app, int& status);
 void add_repro(CLI::App& app, int& status);
 void add_stability(CLI::App& app, int& status);
+void add_shrink(CLI::App& app, int& status);
 void add_sweep(CLI::App& app, int& status);
 void add_frames(CLI::App& app, int& status);
 void add_static(CLI::App& app, int& status);

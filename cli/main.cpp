@@ -125,6 +125,7 @@ int run(int argc, char** argv) {
   halfspace::cli::add_vectors(app, status);
   halfspace::cli::add_compare(app, status);
   halfspace::cli::add_inspect(app, status);
+  halfspace::cli::add_shrink(app, status);
   halfspace::cli::add_config(app, status);
   halfspace::cli::add_streams(app, status);
   halfspace::cli::add_fit(app, status);

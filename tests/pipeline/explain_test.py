@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """What the bench says of RTL that is wrong: the unit that is to blame, what follows from it, words that lack, the
-cycle, the waveform around it, and the map of wrong pixels.
+cycle, the waveform around it, the map of wrong pixels, and the smallest frame that fails.
 Usage: explain_test.py HALFSPACE ROOT FOLDER TB_LIBRARY VERILATED_LIBRARY VERILATOR CXX"""
+import json
 import pathlib
 import re
 import shutil
@@ -84,10 +85,28 @@ class Explain(unittest.TestCase):
         self.assertIn("first wrong in flow order: triangle_setup; from it follows:\n", text)
         self.assertRegex(text, r"\n  stamp word \d+ \(raster_pineda")
         self.assertRegex(text, r"FAIL pipeline: setup word .*, cycle \d+: ")
+        self.shrinks(bench)
         wrong, lacks = map(int, re.search(r"wrong_pixels.png: (\d+) pixels .* (\d+) never", text).groups())
         self.assertGreater(wrong, 0)
         self.assertEqual(red_and_blue(pictures / "wrong_pixels.png"), (wrong, lacks))
         self.assertEqual(red_and_blue(pictures / "frame_rtl.png"), (0, 0))
+
+    def shrinks(self, bench):
+        """The fewest triangles of the same scene on which it still fails, and the command that repeats it."""
+        out = FOLDER / "smallest"
+        subprocess.run([HALFSPACE, "shrink", "teapot", "--config", "low", "--lanes", "4", "--size", "64x48", "--stall",
+                        "30", "--bench", bench, "--out", out, "--json", FOLDER / "shrink.json"], check=True,
+                       capture_output=True)
+        found = json.loads((FOLDER / "shrink.json").read_text())
+        self.assertLessEqual(found["triangles"], 3)
+        self.assertLess(found["width"] * found["height"], 64 * 48 / 4)
+        self.assertEqual((found["stall"], found["frames"], found["first_wrong"]), (0, 1, "triangle_setup"))
+        lines = (out / "smallest.tri").read_text().splitlines()
+        self.assertEqual(lines[0], f"size {found['width']} {found['height']}")
+        self.assertEqual(sum(line.startswith("t ") for line in lines), found["triangles"])
+        again = subprocess.run(["sh", out / "repeat.sh"], capture_output=True, text=True, check=False)
+        self.assertEqual(again.returncode, 1)
+        self.assertIn("FAIL pipeline: setup word", again.stdout)
 
     def test_words_that_lack_are_not_mismatches(self):
         status, text = run(build("hs_pipeline", "stuck", "stuck"), "--hang", "2000")
@@ -108,6 +127,10 @@ class Explain(unittest.TestCase):
         # The model is built for it, and no sooner.
         self.assertTrue((FOLDER / "wave.fst.model/bench").exists())
         bench, wave = build("hs_triangle_setup", None, "right"), FOLDER / "none.fst"
+        none = subprocess.run([HALFSPACE, "shrink", "cube", "--config", "low", "--size", "16x12", "--bench", bench,
+                               "--out", FOLDER / "none"], capture_output=True, text=True, check=False)
+        self.assertEqual(none.returncode, 1)
+        self.assertIn("there is nothing to shrink", none.stderr)
         status, text = run(bench, "--wave", wave)
         self.assertEqual(status, 0)
         self.assertIn("not written: nothing failed", text)
