@@ -9,16 +9,17 @@
 namespace halfspace {
 
 // Of a buffer in memory: the driver gives the numbers, as the D-buffer 0, S-buffers 1, 2, …, and one for their merge.
-using BufferNumber = Fixed<4, 4, false>;
+template <class F>
+using BufferNumber = typename F::Bit::template Other<4, 4, false>;
 
 // A run of ztest_merge, and where its stamps come from and go to.
 template <class F>
 struct StaticCommand : Merge<F> {
-  typename F::Bit passes;            // what is drawn is the next frame of hs_pipeline, else a buffer
-  typename F::Bit anew;              // what is stored is background, else a buffer
-  typename F::Bit shows;             // what is sent goes to the frame, else into a buffer
-  BufferNumber stored, drawn, kept;  // these buffers
-  typename F::X x_first, x_last;     // the box, inside the frame
+  typename F::Bit passes;               // what is drawn is the next frame of hs_pipeline, else a buffer
+  typename F::Bit anew;                 // what is stored is background, else a buffer
+  typename F::Bit shows;                // what is sent goes to the frame, else into a buffer
+  BufferNumber<F> stored, drawn, kept;  // these buffers
+  typename F::X x_first, x_last;        // the box, inside the frame
   typename F::Y y_first, y_last;
 
   template <class V>
@@ -34,7 +35,7 @@ struct StaticCommand : Merge<F> {
 // A stamp that is read.
 template <class F>
 struct BufferPlace {
-  BufferNumber buffer;
+  BufferNumber<F> buffer;
   typename F::X x;
   typename F::Y y;
 

@@ -83,7 +83,7 @@ Lanes:
 }
 
 template <class F>
-BufferPlace<F> place_of(const BufferNumber& buffer, const BoxPlace<F>& at) {
+BufferPlace<F> place_of(const BufferNumber<F>& buffer, const BoxPlace<F>& at) {
   BufferPlace<F> out;
   out.buffer = buffer;
   out.x = at.x;

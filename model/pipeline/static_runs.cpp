@@ -108,9 +108,9 @@ class MachineOf : public StaticRuns::Machine {
     const auto bit = [](bool b) { return from_raw<Bit>(b); };
     StaticCommand<F> out;
     out.passes = bit(in.passes), out.anew = bit(in.anew), out.shows = bit(in.shows);
-    out.stored = from_raw<BufferNumber>(in.stored);
-    out.drawn = from_raw<BufferNumber>(in.drawn);
-    out.kept = from_raw<BufferNumber>(in.kept);
+    out.stored = from_raw<BufferNumber<F>>(in.stored);
+    out.drawn = from_raw<BufferNumber<F>>(in.drawn);
+    out.kept = from_raw<BufferNumber<F>>(in.kept);
     out.x_first = from_raw<typename F::X>(in.box.x0 / F::kLanesX);
     out.x_last = from_raw<typename F::X>((in.box.x1 - 1) / F::kLanesX);
     out.y_first = from_raw<typename F::Y>(in.box.y0 / F::kLanesY);
