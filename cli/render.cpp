@@ -147,7 +147,7 @@ void render(const RenderOptions& options) {
   LoadedScene loaded = load_snapped(options.input);
   const ref::SnappedList& scene = loaded.list;
   const int lanes = options.lanes ? options.lanes : 16;
-  const bool moves = has_motion(loaded.configuration.config());
+  const bool moves = !shades(loaded.configuration.config());
   if (moves && (options.engine == "ideal" || !options.shading.empty() || !options.texture.empty() ||
                 !options.output.empty() || !options.dump.empty())) {
     throw ref::Error(fmt::format(

@@ -125,7 +125,7 @@ std::unique_ptr<model::Engine> kernels_of(const LoadedScene& loaded, int lanes) 
   auto engine = model::make_engine(loaded.configuration, lanes);
   if (has_lighting(loaded.configuration.config())) engine->light(lighting_of(loaded));
   if (has_texture(loaded.configuration.config())) engine->texture(texture_of(loaded));
-  if (has_motion(loaded.configuration.config())) engine->move(motion_of(loaded));
+  if (!shades(loaded.configuration.config())) engine->move(motion_of(loaded));
   return engine;
 }
 
@@ -208,7 +208,7 @@ LoadedScene load_snapped(const SceneInput& input) {
   FrameSize size;
   if (!input.size.empty()) size = parse_size(input.size);
   const model::Configuration chosen = model::find_configuration(input.config.empty() ? "middle" : input.config);
-  if (has_motion(chosen.config())) return load_between(input, chosen);
+  if (!shades(chosen.config())) return load_between(input, chosen);
   if (!input.interval.empty()) {
     throw ref::Error(
         fmt::format("--interval {}: configuration {} shades frames: leave it out, or name a configuration with shading "

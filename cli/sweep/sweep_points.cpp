@@ -120,6 +120,11 @@ Sweep plan_sweep(const SweepInput& input) {
   }
   sweep.targets = area_targets(input.area);
   const Config base = base_numbers(input.choice);
+  if (up_converts(base)) {
+    throw ref::Error(
+        "a configuration with frames_between has the numbers of key frames and of frames in between: sweep "
+        "one without it, or one of shading = \"motion\"");
+  }
   const FrameSize size = input.size.empty() ? FrameSize{base.width, base.height} : parse_size(input.size);
   for (const std::string& name : input.scenes) {
     if (!scenes.insert(name).second) throw ref::Error(fmt::format("{}: named twice: name each scene once", name));

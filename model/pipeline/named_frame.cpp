@@ -19,7 +19,7 @@ std::vector<std::uint32_t> objects_of(const NamedFrame& frame, const Config& con
 void load_frame(Engine& engine, const Config& config, const NamedFrame& frame) {
   if (has_lighting(config)) engine.light(frame.lighting);
   if (has_texture(config)) engine.texture(frame.texture);
-  if (has_motion(config)) engine.move(frame.motion);
+  if (!shades(config)) engine.move(frame.motion);
   if (has_objects(config)) engine.number(objects_of(frame, config));
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ref/error.hpp"
 #include "study/bounds/bounds_measure.hpp"
 #include "study/bounds/lighting_measure.hpp"
 
@@ -72,6 +73,12 @@ void measure_snapping(const Config& config, const MeasureOptions& options, Bound
 
 BoundsReport measured_bounds(const Configuration& configuration, const MeasureOptions& options) {
   const Config config = configuration.config();
+  if (up_converts(config)) {
+    throw ref::Error(
+        fmt::format("configuration {} has the units of key frames and of frames in between: measure one "
+                    "without frames_between, and one of shading = \"motion\" with its numbers",
+                    configuration.name()));
+  }
   BoundsReport report = proved_bounds(config);
   measure_snapping(config, options, report.rows[kSnap]);
   measure_frames(configuration, options.seed, report);
