@@ -22,9 +22,9 @@ FilmPixel<F> film_place(const Frame<F>& frame, int x, int y) {
 
 // Of a key frame.
 template <class F, int N>
-FilmPixel<F> key_film_pixel(const Frame<F>& frame, KeyFrames<F, N>& keys, int slot, int x, int y) {
+FilmPixel<F> key_film_pixel(const Frame<F>& frame, FilmKeys<F, N>& keys, int slot, int x, int y) {
   FilmPixel<F> out = film_place(frame, x, y);
-  const KeyPixel<F>& in = key_pixel_at(keys, slot, x, y);
+  const KeyPixel<F> in = keys.bank[key_bank<N>(x, y)][key_address<F, N>(slot, x, y)];
   out.r = in.r;
   out.g = in.g;
   out.b = in.b;
@@ -34,18 +34,19 @@ FilmPixel<F> key_film_pixel(const Frame<F>& frame, KeyFrames<F, N>& keys, int sl
 template <class F>
 FilmPixel<F> found_film_pixel(const Frame<F>& frame, FilmBuffer<F>& film, int x, int y) {
   FilmPixel<F> out = film_place(frame, x, y);
-  FoundPixel<F>& in = film.pixel[pixel_address<F>(x, y)];
+  const int address = pixel_address<F>(x, y);
+  const FoundPixel<F> in = film.pixel[address], none{};
   const bool shown = is_set(in.shown);
   out.r = select(shown, in.r, frame.r);
   out.g = select(shown, in.g, frame.g);
   out.b = select(shown, in.b, frame.b);
-  in.shown = from_raw<Bit>(0);
+  film.pixel[address] = none;
   return out;
 }
 
 // A frame: that of the key in `slot`, or what is found in between.
 template <class F, int N>
-void film_scan(const Frame<F>& frame, bool of_key, int slot, KeyFrames<F, N>& keys, FilmBuffer<F>& film,
+void film_scan(const Frame<F>& frame, bool of_key, int slot, FilmKeys<F, N>& keys, FilmBuffer<F>& film,
                Stream<FilmPixel<F>>& out) {
 Rows:
   for (int y = 0; y < int(raw(frame.height)); ++y) {

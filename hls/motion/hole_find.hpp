@@ -30,6 +30,14 @@ Lanes:
   store_lanes(marks.hole, address, marked);
 }
 
+template <class F>
+void ask(int last, const typename F::Face& face, Stream<Asked<F>>& asked) {
+  Asked<F> word;
+  word.last = from_raw<Bit>(last);
+  word.face = face;
+  asked.write(word);
+}
+
 // A pixel: its word of motion, for the face, and what the key frames give. `held` is the face that is asked for next, 0
 // before a frame and after it.
 template <class F>
@@ -40,21 +48,30 @@ bool hole_find(Stream<Motion<F>>& ordered, Stream<Compensated<F>>& compensated, 
   const Compensated<F> in = compensated.read();
   const int x = int(raw(in.x)), y = int(raw(in.y));
   if (is_set(in.keys)) {
-    FoundPixel<F>& out = film.pixel[pixel_address<F>(x, y)];
-    out.shown = from_raw<Bit>(1);
-    out.r = in.r;
-    out.g = in.g;
-    out.b = in.b;
+    store_found<F>(x, y, in.r, in.g, in.b, film);
   } else if (is_set(face)) {
     mark_hole(x, y, marks);
-    if (is_set(held) && face != held) asked.write({from_raw<Bit>(0), held});
+    if (is_set(held) && face != held) ask<F>(0, held, asked);
     held = face;
   }
   if (is_set(in.last)) {
-    asked.write({from_raw<Bit>(1), held});
+    ask<F>(1, held, asked);
     held = from_raw<Face>(0);
   }
   return is_set(in.last);
+}
+
+// A frame.
+template <class F>
+void hole_find_frame(Stream<Motion<F>>& ordered, Stream<Compensated<F>>& compensated, FilmBuffer<F>& film,
+                     HoleMarks<F>& marks, Stream<Asked<F>>& asked) {
+  typename F::Face held = from_raw<typename F::Face>(0);
+  bool done = false;
+Words:
+  while (!done) {
+    HS_PIPELINE(1)
+    done = hole_find(ordered, compensated, film, marks, held, asked);
+  }
 }
 
 }  // namespace halfspace

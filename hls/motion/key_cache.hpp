@@ -19,6 +19,11 @@ template <class F>
 struct KeyPixel {
   typename F::Colour r, g, b;
   typename F::Face face;
+
+  template <class V>
+  HS_INLINE constexpr void visit(V&& v) {
+    v("r", r), v("g", g), v("b", b), v("face", face);
+  }
 };
 
 template <class F, int N>

@@ -40,7 +40,8 @@ inline TilePlace next_in_tiles(const TilePlace& at, int width, int height) {
 template <class F>
 void motion_order(const Frame<F>& frame, MotionBuffer<F>& buffer, Stream<Motion<F>>& ordered) {
   const int width = int(raw(frame.width)), height = int(raw(frame.height));
-  Motion<F> held{};
+  const Motion<F> none{};
+  Motion<F> held = none;
   TilePlace at;
 Pixels:
   for (int n = 0; n < frame_words<F>() && at.y < height; ++n) {
@@ -51,12 +52,25 @@ Pixels:
       if (is_set(held.face)) ordered.write(held);
       held = in;
       held.last = from_raw<Bit>(0);
-      buffer.word[address].face = from_raw<typename F::Face>(0);
+      buffer.word[address] = none;
     }
     at = next_in_tiles(at, width, height);
   }
   held.last = from_raw<Bit>(1);
   ordered.write(held);
+}
+
+// A frame: its words in, and out.
+template <class F>
+void motion_order_frame(const Frame<F>& frame, Stream<Motion<F>>& motion, MotionBuffer<F>& buffer,
+                        Stream<Motion<F>>& ordered) {
+  bool stored = false;
+Words:
+  while (!stored) {
+    HS_PIPELINE(1)
+    stored = store_motion(motion, buffer);
+  }
+  motion_order(frame, buffer, ordered);
 }
 
 }  // namespace halfspace

@@ -27,7 +27,7 @@ struct FilmStreams {
 template <class F, int N>
 struct FilmMemories {
   MotionBuffer<F> motion;
-  KeyFrames<F, N> keys;
+  FilmKeys<F, N> keys;
   FilmBuffer<F> film;
   KeyCache<F, N> cache[kKeys];
 };

@@ -15,7 +15,8 @@ ROW := $(shell awk '$$1 == "$(TOP)"' $(ROOT)/hls/top/tops.txt)
 SCENE := $(word 2,$(ROW))
 CONFIG ?= $(word 3,$(ROW))
 # One file, as Bambu composes what it sees at once.
-FILE := $(if $(TOP),$(wildcard $(ROOT)/hls/top/$(TOP)_top.cpp $(ROOT)/hls/top/composed/$(TOP)_top.cpp))
+FILE := $(if $(TOP),$(wildcard $(ROOT)/hls/top/$(TOP)_top.cpp $(ROOT)/hls/top/film/$(TOP)_top.cpp \
+                             $(ROOT)/hls/top/composed/$(TOP)_top.cpp))
 ifneq ($(TOP),)
 ifeq ($(ROW),)
 $(error TOP=$(TOP): the tops are $(TOPS))

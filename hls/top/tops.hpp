@@ -4,9 +4,21 @@
 #ifndef HALFSPACE_HLS_TOP_TOPS_HPP_
 #define HALFSPACE_HLS_TOP_TOPS_HPP_
 
+#include "hls/motion/film_memories.hpp"
 #include "hls/top/composed/frame_word.hpp"
 #include "hls/top/composed/key_memory.hpp"
 #include "hls/top/ports/ports.hpp"
+
+namespace halfspace {
+
+// The key frames of a film, all banks together.
+struct TopFilmKeys {
+  static constexpr int kSide = key_side(TopFormats::kFilter);
+  static constexpr int kWords = kSide * kSide * FilmKeys<TopFormats, kSide>::kBankWords;
+};
+static_assert(complete_words<FaceEntry, HoleStamp, Motion, FoundPixel, KeyPixel>() > 0, "words of films");
+
+}  // namespace halfspace
 
 extern "C" {
 
@@ -118,6 +130,36 @@ void motion_compensate_top(int width, int height, int weight, halfspace::Port<ha
                            halfspace::Port<halfspace::KeyRequest>& key_request_1,
                            halfspace::Port<halfspace::TopKeyBlock>& key_block_1,
                            halfspace::Port<halfspace::Compensated>& compensated);
+
+// Of a film: a frame of stamps and their colours to pixels and their faces.
+void pixel_store_top(
+    int width, int height,
+    halfspace::MemoryWord<halfspace::FaceEntry> faces[halfspace::FaceTable<halfspace::TopFormats>::kWords],
+    halfspace::Port<halfspace::Scan>& scan, halfspace::Port<halfspace::Pixel>& pixel,
+    halfspace::Port<halfspace::ShownPixel>& shown);
+
+// A frame of motion vectors into the order of tiles; the buffer is empty before it, and after it.
+void motion_order_top(int width, int height,
+                      halfspace::MemoryWord<halfspace::Motion> buffer[halfspace::frame_words<halfspace::TopFormats>()],
+                      halfspace::Port<halfspace::Motion>& motion, halfspace::Port<halfspace::Motion>& ordered);
+
+// A frame of what key frames gave into the film buffer; holes are marked, and their faces asked for.
+void hole_find_top(
+    halfspace::MemoryWord<halfspace::FoundPixel> film[halfspace::frame_words<halfspace::TopFormats>()],
+    halfspace::MemoryWord<halfspace::HoleStamp> holes[halfspace::HoleMarks<halfspace::TopFormats>::kWords],
+    halfspace::Port<halfspace::Motion>& ordered, halfspace::Port<halfspace::Compensated>& compensated,
+    halfspace::Port<halfspace::Asked>& asked);
+
+// A frame of stamps, of which holes alone go on if `fills` is not 0; their marks are cleared.
+void hole_scan_top(
+    int fills, halfspace::MemoryWord<halfspace::HoleStamp> holes[halfspace::HoleMarks<halfspace::TopFormats>::kWords],
+    halfspace::Port<halfspace::Scan>& scan, halfspace::Port<halfspace::Scan>& masked);
+
+// A frame of the film: the key frame in `slot`, or what is found in between, which is cleared.
+void film_scan_top(int width, int height, int red, int green, int blue, int of_key, int slot,
+                   halfspace::MemoryWord<halfspace::KeyPixel> keys[halfspace::TopFilmKeys::kWords],
+                   halfspace::MemoryWord<halfspace::FoundPixel> film[halfspace::frame_words<halfspace::TopFormats>()],
+                   halfspace::Port<halfspace::FilmPixel>& shown);
 
 // Composed, of processes that a word of `frame` starts. Triangles in, what is visible out; the I-buffer, the Z-buffer
 // and TdbS are written, and once they are, the word comes out of `drawn`: it can start back_top.

@@ -75,16 +75,20 @@ def prove_that_it_fails():
     assert list(without_label("a", "Lanes:\n  for (;;) {\n    HS_UNROLL\n    for (;;) {\n      HS_UNROLL\n"))
 
 
+def source_of(root, name):
+    files = (root / f"hls/top/{folder}{name}_top.cpp" for folder in ("", "film/"))
+    return next((file for file in files if file.exists()), None)
+
+
 def main():
     root = pathlib.Path(sys.argv[1])
     prove_that_it_fails()
     tops = [name for name in re.findall(r"^(\w+)", (root / "hls/top/tops.txt").read_text(), re.M)
-            if (root / f"hls/top/{name}_top.cpp").exists()]  # composed ones are in a folder of their own
+            if source_of(root, name)]  # composed ones are in a folder of their own
     kernels, found = {}, []
     for path in sorted((root / "hls").glob("*/*.hpp")):
         found += without_label(path.relative_to(root), path.read_text())
-        top = root / f"hls/top/{path.stem}_top.cpp"
-        if top.exists():
+        if top := source_of(root, path.stem):
             kernels[path.stem] = path.read_text(), path.read_text() + top.read_text()
     found += list(faults(tops, kernels, (root / "docs/port.md").read_text(), (root / "docs/area.md").read_text()))
     print("\n".join(found) or f"intervals: {len(kernels)} kernels")

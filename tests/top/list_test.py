@@ -7,7 +7,7 @@ import re
 import sys
 import tempfile
 
-SCENES = ("standard", "merge", "compensation", "between", "static_frames")
+SCENES = ("standard", "merge", "compensation", "between", "static_frames", "film")
 BUILT_IN = ("low", "middle", "high")
 
 
@@ -68,7 +68,7 @@ def prove_that_it_fails():
     expected = {"names c twice", "has no line for e, which hls/top/*_top.cpp has",
                 "has no line for f, which hls/top/tops.hpp has", "names c, which hls/top/tops.hpp has not",
                 "names d, which hls/top/bench has not", "d: a line has a name, a scene and a configuration",
-                "b: the scene is one of standard, merge, compensation, between, static_frames, not static",
+                "b: the scene is one of standard, merge, compensation, between, static_frames, film, not static",
                 "b: there is no configuration c.toml"}
     if found != expected:
         sys.exit(f"the test itself is broken: {sorted(found ^ expected)}")

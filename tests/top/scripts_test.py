@@ -87,7 +87,7 @@ def needs(row, stream, driven=True):
     yield "its configuration", rf"-DHALFSPACE_TOP_CONFIG={''.join(map(str.capitalize, stem.split('_')))}\b"
     if config.endswith(".toml"):
         yield "its header", rf"-DHALFSPACE_TOP_HEADER={stem}\.hpp\b"
-    yield "its source", rf"/hls/top/(composed/)?{top}_top\.cpp\b"
+    yield "its source", rf"/hls/top/(film/|composed/)?{top}_top\.cpp\b"
     if driven:
         yield "its bench", rf"-DHALFSPACE_BENCH={top}\b"
         yield "its vectors", rf"/vectors/{stem}\.{scene}\.1\b"

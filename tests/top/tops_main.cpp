@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "hls/top/bench/composed_frames.hpp"
+#include "hls/top/bench/film_frames.hpp"
 #include "hls/top/bench/frames.hpp"
 
 int main(int argc, char** argv) {

@@ -18,7 +18,9 @@ EXPECTED = {"raster_pineda": "stamp", "raster_pineda_plane": "triangle_depth", "
             "texture_setup": "texture_planes", "motion_setup": "motion_planes", "scan_index": "scan",
             "motion_field": "motion", "ztest_merge": "found", "motion_compensate": "compensated",
             "front": "visible", "back": "pixel", "pipeline": "pixel",
-            "back_compensate": "compensated", "static_frames": "shown"}
+            "back_compensate": "compensated", "static_frames": "shown",
+            "pixel_store": "shown", "motion_order": "ordered", "hole_find": "asked", "hole_scan": "masked",
+            "film_scan": "film"}
 
 
 def run(bench, top, folder):

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "hls/top/bench/composed_frames.hpp"
+#include "hls/top/bench/film_frames.hpp"
 #include "hls/top/bench/frames.hpp"
 
 #ifndef HALFSPACE_BENCH_VECTORS

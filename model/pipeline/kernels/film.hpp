@@ -28,7 +28,7 @@ struct FilmBuffer<RuntimeFormats<S>> {
   std::vector<FoundPixel<F>> pixel = decltype(pixel)(std::size_t(frame_words<F>()));
 };
 template <class S, int N>
-struct KeyFrames<RuntimeFormats<S>, N> {
+struct FilmKeys<RuntimeFormats<S>, N> {
   using F = RuntimeFormats<S>;
   std::vector<std::vector<KeyPixel<F>>> bank =
       decltype(bank)(std::size_t(N * N), std::vector<KeyPixel<F>>(std::size_t(kKeySlots* key_slot_words<F, N>())));
