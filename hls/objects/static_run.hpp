@@ -9,7 +9,8 @@
 //
 // A run ends with its last stamp: what the next one reads is there.
 //
-// Interval: a stamp a cycle, of a pass each of its frame, and of the RTL 4 a run and the latency of the memory.
+// Interval: a stamp a cycle, of a pass each of its frame; of the RTL 4 more a run, and 2 without `sends`, where a place
+// is answered in the next cycle.
 #ifndef HALFSPACE_HLS_OBJECTS_STATIC_RUN_HPP_
 #define HALFSPACE_HLS_OBJECTS_STATIC_RUN_HPP_
 

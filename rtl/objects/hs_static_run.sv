@@ -13,8 +13,8 @@
 // Memory: answers are in the order of the places, as late as it likes, and as many may be on their
 // way as it takes. A stamp is read as written by every word of `kept` taken before its place is.
 // Interval: a stamp a cycle, of a pass each of its frame. A command waits until the words of the
-// one before have come and gone: with hs_ztest_merge 4 cycles a run and the latency of the memory,
-// and without `sends` that latency alone.
+// one before have come and gone: with hs_ztest_merge 4 cycles a run, without `sends` 2, where a
+// place is answered in the next cycle; a memory that takes longer adds that once a run.
 // Latency: 1 cycle from the command to the first place and to `merge`, none from pixels to `stored`
 // and `drawn` nor from `merged` to where it goes. No memory, no multiplier.
 // Stall: each stream waits for its taker; a word of `entry` outside the box for none.

@@ -16,8 +16,8 @@
 // at most two are in hs_pipeline, and a third one waits until a command has taken the first.
 // Which objects go into which buffer, and when, the driver says: docs/static.md. It numbers the
 // buffers, at most 2^BufferBits.
-// Interval: of a run with a pass that of hs_pipeline; of others a stamp a cycle, and 4 a run and
-// the latency of the memory.
+// Interval: of a run with a pass that of hs_pipeline; of others a stamp a cycle, and 4 a run, a
+// query 2, where memory answers in the next cycle.
 // Memory, stalls: hs_static_run. Registers, lights, materials, textures: hs_pipeline; a pass of
 // which no command has taken the last stamp is in flight.
 // Without objects there is no such unit: hs_formats_pkg has not its numbers then.
