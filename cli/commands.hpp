@@ -31,6 +31,7 @@ void add_sweep(CLI::App& app, int& status);
 void add_frames(CLI::App& app, int& status);
 void add_static(CLI::App& app, int& status);
 void add_foresee(CLI::App& app, int& status);
+void add_holes(CLI::App& app, int& status);
 void add_quality(CLI::App& app, int& status);
 void add_cost(CLI::App& app, int& status);
 

@@ -10,6 +10,7 @@
 #include "cli/common/numbers.hpp"
 #include "cli/common/output.hpp"
 #include "cli/common/sequence.hpp"
+#include "cli/motion/frame_cost.hpp"
 #include "model/drivers/up_convert.hpp"
 #include "model/pipeline/cycles.hpp"
 #include "ref/error.hpp"
@@ -24,113 +25,8 @@ struct CostOptions {
   ref::SceneChoice choice;
   std::string scene, config = "middle", size = "320x240", json;
   int first = 0, lanes = 4, lights = 4;
+  bool half = false, markdown = false;
 };
-
-// What a frame takes, by the units that each way to make it has.
-struct Cost {
-  const char* name;
-  bool made;          // of key frames; else rendered
-  double cycles = 0;  // of the slowest unit
-  const char* slowest = "";
-  double multiplications = 0;                 // a covered pixel of the frame
-  double bytes = 0;                           // likewise, to and from memory outside
-  std::size_t triangles = 0;                  // handed to the pipeline
-  std::size_t words = 0, tiles = 0;           // of motion, and of keys
-  std::optional<double> psnr = std::nullopt;  // PSNR_Y against the rendered frame, of one that is made
-};
-
-// What the renderer's units would take for themselves, of a frame of which triangles and pixels are at hand.
-struct FrontEnd {
-  model::Cycles cycles;
-  double pixels = 0;      // covered
-  double pixel_scan = 0;  // cycles of a unit that takes a covered pixel at a time, and one for a stamp of background
-  std::size_t triangles = 0, stamps = 0;
-};
-
-FrontEnd front_end(const model::Configuration& configuration, const ref::TriangleList& triangles, int lanes) {
-  const auto engine = model::make_engine(configuration, lanes);
-  const ref::SnappedList list = ref::snap(triangles, model::raster_format(configuration));
-  const ref::Frame frame = engine->render(list);
-  FrontEnd out{model::model_cycles(configuration.config(), *engine, list, frame)};
-  out.triangles = list.triangles.size();
-  for (int y = 0; y < frame.height; y += engine->lanes_y()) {
-    for (int x = 0; x < frame.width; x += engine->lanes_x()) {
-      ++out.stamps;
-      int covered = 0;
-      for (int l = 0; l < lanes; ++l) {
-        const int column = x + l % engine->lanes_x(), row = y + l / engine->lanes_x();
-        if (column < frame.width && row < frame.height)
-          covered += frame.index[std::size_t(row) * frame.width + column] != 0;
-      }
-      out.pixels += covered;
-      out.pixel_scan += std::max(covered, 1);
-    }
-  }
-  return out;
-}
-
-void take(Cost& cost, const char* unit, double cycles) {
-  if (cycles > cost.cycles) cost.cycles = cycles, cost.slowest = unit;
-}
-
-void take_front(Cost& cost, const FrontEnd& front) {
-  take(cost, "triangle_setup", double(front.cycles.triangle_setup));
-  take(cost, "plane setup", double(front.cycles.shade_setup));
-  take(cost, "raster_pineda", double(front.cycles.raster));
-  cost.triangles = front.triangles;
-}
-
-// A frame as it is rendered, `samples` squared times the pixels of the picture. Multiplications are those of a pixel
-// that goes through the units at one a cycle: six of the Gouraud planes; six of the coordinates, four of perspective,
-// nine of the bilinear filter and the product; six of the normals and, for each light, those of hs_lighting with
-// highlights. A texture is fetched from outside, four texels of 3 bytes; the picture is written.
-Cost rendered(const char* name, const FrontEnd& front, double picture_pixels, bool textured, int lights) {
-  Cost cost{name, false};
-  take_front(cost, front);
-  take(cost, "shade_gouraud", double(front.cycles.scan_out));
-  cost.multiplications = 6;
-  cost.bytes = 3 * picture_pixels;
-  if (textured) {
-    take(cost, "shade_texture", front.pixel_scan);
-    cost.multiplications += 6 + 3 + 9 + 3;
-    cost.bytes += 12 * front.pixels;
-  }
-  if (lights != 0) {
-    take(cost, "shade_phong", front.pixel_scan + front.pixels * (lights - 1));
-    cost.multiplications = 6 + 18 * lights;
-  }
-  cost.multiplications *= front.pixels / picture_pixels;
-  cost.bytes /= picture_pixels;
-  return cost;
-}
-
-// A frame made of two keys. Multiplications: two a plane, three of perspective a key; of each key's filter three or,
-// bicubic, fifteen a channel; one a channel of the blend. A word of motion is written and read, tiles are fetched, the
-// picture is written. Half a field has a word for 2 × 2 pixels, from a front end of that size.
-Cost made(const char* name, const FrontEnd& front, double picture_pixels, const model::KernelFrameBetween& between,
-          const model::KernelUpConversion& mode) {
-  const model::Configuration& configuration = mode.motion;
-  const Config motion = configuration.config();
-  Cost cost{name, true};
-  cost.psnr = ref::quality(between.colour, between.rendered, mode.width, mode.height).psnr_y;
-  const double words = mode.half_field ? front.pixels : double(between.words);
-  take_front(cost, front);
-  take(cost, "motion_field", front.pixel_scan);
-  take(cost, "motion_compensate", double(between.cycles));
-  const double planes = (has_perspective(motion) ? 3 : 2) + (relights(motion) ? 3 : 0);
-  const double filter = motion.filter == KeyFilter::kNearest ? 0 : motion.filter == KeyFilter::kBicubic ? 15 : 3;
-  cost.multiplications =
-      (words * 2 * (2 * planes + (has_perspective(motion) ? 3 : 0)) + double(between.words) * (2 * 3 * filter + 3)) /
-      picture_pixels;
-  double word = 0;
-  for (const model::Layout& layout : model::make_engine(configuration, 1)->layouts()) {
-    if (layout.stream == "motion") word = layout.bits;
-  }
-  const double tiles = 64 * double(between.misses[0] + between.misses[1]) * model::key_pixel_bits(motion) / 8;
-  cost.bytes = (words * 2 * word / 8 + tiles) / picture_pixels + 3;
-  cost.words = std::size_t(words), cost.tiles = between.misses[0] + between.misses[1];
-  return cost;
-}
 
 // A frame with an S-buffer, of which an entry {depth, object, colour} a pixel is read, rendered and made of keys, and
 // last the drawing of that buffer, which writes them. Each merge takes a stamp a cycle.
@@ -176,6 +72,17 @@ void cost(const CostOptions& options) {
   const ref::Scene first = scene_at(0), between = scene_at(2), second = scene_at(5);
   if (first.duration <= 0)
     throw ref::Error(fmt::format("{}: nothing moves in it: take an animated scene", options.scene));
+
+  if (options.half) {
+    if (size.width % 2 != 0 || size.height % 2 != 0)
+      throw ref::Error(fmt::format("--size {}: half a field is of an even number of pixels each way", options.size));
+    const model::Configuration chosen = model::find_configuration(options.config);
+    const model::Configuration named = has_lighting(chosen.config()) ? model::unlit_configuration(chosen) : chosen;
+    const HalfField halves = half_field(first, between, second, size.width, size.height, named, options.lanes);
+    fmt::print("{}", text_of(table_of(halves, short_name(options.scene)), options.markdown));
+    write_json(options.json, to_json(halves, options.scene));
+    return;
+  }
 
   std::array<ref::Scene, 3> held{first, between, second};
   const ref::DepthPlanes planes = ref::held_planes({&first, &between, &second}, aspect);
@@ -288,6 +195,8 @@ void add_cost(CLI::App& app, int&) {
   command->add_option("--lights", options->lights, "of Phong shading, 1 to 4")
       ->capture_default_str()
       ->check(CLI::Range(1, 4));
+  command->add_flag("--half", options->half, "only what a motion vector for 2x2 pixels saves and costs, unit by unit");
+  command->add_flag("--markdown", options->markdown, "the table of --half for a page");
   add_json(command, options->json);
   command->callback([options] { cost(*options); });
 }

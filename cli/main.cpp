@@ -138,6 +138,7 @@ int run(int argc, char** argv) {
   halfspace::cli::add_frames(app, status);
   halfspace::cli::add_static(app, status);
   halfspace::cli::add_foresee(app, status);
+  halfspace::cli::add_holes(app, status);
   halfspace::cli::add_quality(app, status);
   halfspace::cli::add_cost(app, status);
   try {

@@ -4,6 +4,7 @@
 #include "cli/repro/repro_dual.hpp"
 #include "cli/repro/repro_frames.hpp"
 #include "cli/repro/repro_index.hpp"
+#include "cli/repro/repro_morphing.hpp"
 #include "cli/repro/repro_static.hpp"
 
 namespace halfspace::cli {
@@ -17,6 +18,7 @@ void add_repro(CLI::App& app, int&) {
       "  halfspace repro B castle teapot       dual pipeline: instructions and time that deferred lighting saves\n"
       "  halfspace repro C gouraud --frames 11 --size 160x120  frame-rate up-conversion: PSNR of frames that are made, "
       "ten animations\n"
+      "  halfspace repro D --table time        bi-directional morphing: which unit works on which frame\n"
       "  halfspace repro E --objects 300 --moving 5 --frames 10 --full-frames 2 --width 160 --height 120  static "
       "objects "
       "buffer;\n"
@@ -25,6 +27,7 @@ void add_repro(CLI::App& app, int&) {
   add_repro_index(*command);
   add_repro_dual(*command);
   add_repro_frames(command);
+  add_repro_morphing(*command);
   add_repro_static(*command);
 }
 

@@ -91,7 +91,10 @@ std::unique_ptr<Converter> reference_converter(const SequenceOptions& options, c
   mode.mapping = linear ? ref::VectorMapping::kLinear : ref::VectorMapping::kPerspective;
   if (!options.filter.empty()) mode.compensation.filter = kind_of(ref::kFilters, options.filter);
   mode.compensation.index_test = options.index_test;
-  mode.field = options.half ? ref::FieldSize::kHalf : ref::FieldSize::kSamples;
+  mode.compensation.render_holes = options.render_holes;
+  mode.field = options.half            ? ref::FieldSize::kHalf
+               : options.pixel_vectors ? ref::FieldSize::kPixels
+                                       : ref::FieldSize::kSamples;
   mode.surfaces = options.surfaces;
   mode.key_faces = kind_of(ref::kKeyFaces, options.key_faces);
   mode.key_scale = options.key_scale;
@@ -207,8 +210,10 @@ void add_sequence_options(CLI::App* command, SequenceOptions& o) {
   command->add_option("--speed", o.speed, "the animation so many times as fast")
       ->capture_default_str()
       ->check(CLI::Range(1e-3, 1e3));
-  command->add_option("--filter", o.filter, "of key frames")
-      ->check(CLI::IsMember({"nearest", "bilinear", "area", "bicubic"}));
+  command
+      ->add_option("--filter", o.filter,
+                   "of key frames; footprint, for --engine ref: over the pixel as the motion stretches it")
+      ->check(CLI::IsMember({"nearest", "bilinear", "area", "bicubic", "footprint"}));
   command->add_option("--mapping", o.mapping, "of places in key frames: affine on the screen, or perspective (default)")
       ->check(CLI::IsMember({"affine", "perspective"}));
   command
@@ -242,6 +247,8 @@ void add_sequence_options(CLI::App* command, SequenceOptions& o) {
                     "has to rest");
   command->add_flag("!--no-index-test", o.index_test,
                     "for --engine ref: take what lies in the place, whatever face it shows");
+  command->add_flag("!--no-render-holes", o.render_holes,
+                    "for --engine ref: take what no key shows from what lies in the place");
   command->add_flag("--surfaces", o.surfaces, "for --engine ref: pixels match by smooth surfaces, not by faces");
 }
 
@@ -304,8 +311,10 @@ Sequence run_with(const SequenceOptions& options, const std::function<void(const
   if (options.engine == "ref") {
     converter = reference_converter(options, size, model::raster_format(colour));
   } else {
-    if (!options.index_test || options.surfaces)
-      throw ref::Error("--no-index-test, --surfaces: the kernels go by faces: take --engine ref");
+    if (!options.index_test || options.surfaces || !options.render_holes)
+      throw ref::Error("--no-index-test, --surfaces, --no-render-holes: the kernels go by faces: take --engine ref");
+    if (options.filter == "footprint")
+      throw ref::Error("--filter footprint: the kernels' filters are of a fixed size: take --engine ref");
     const model::Configuration motion = motion_of(options, size, colour, scene);
     tell_if_faces_share(scene, motion.config());
     out.motion = motion.name();

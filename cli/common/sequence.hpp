@@ -27,6 +27,8 @@ struct SequenceOptions {
   int samples = 1, key_scale = 1;
   int first = 0, frames = 0;  // frames 0: to the end of the animation
   bool relight = true, half = false, index_test = true, surfaces = false;
+  bool render_holes = true;    // of the reference; else what no key shows is taken untested
+  bool pixel_vectors = false;  // of the reference, with samples: a vector a pixel, all the same
   bool static_buffer = false;
   bool foresee = false;
   bool held_planes = false;    // depth planes of all frames together, as with static_buffer, so that both draw the same

@@ -71,7 +71,7 @@ std::optional<glm::dvec3> of_four(const Taps& taps, int x, int y, double tx, dou
 }  // namespace
 
 const char* name_of(Filter filter) {
-  constexpr const char* kNames[] = {"nearest", "bilinear", "area", "bicubic"};
+  constexpr const char* kNames[] = {"nearest", "bilinear", "area", "bicubic", "footprint"};
   return kNames[int(filter)];
 }
 
@@ -106,6 +106,45 @@ std::optional<glm::dvec3> fetch(const KeyFrame& key, const glm::dvec2& place, st
 
 namespace {
 
+// How far the place in a key goes from a pixel of the field to the next one along an axis, as its neighbours of the
+// same triangle have it: in pixels of the field, of which (1, 0) and (0, 1) are what does not move.
+glm::dvec2 stretch(const MotionField& field, int key, std::size_t at, bool down) {
+  const std::size_t width = std::size_t(field.width), step = down ? width : 1;
+  const std::size_t number = down ? at / width : at % width, last = std::size_t(down ? field.height : field.width) - 1;
+  const auto& vectors = field.to_key[key];
+  const glm::dvec2 unit(down ? 0 : 1, down ? 1 : 0), here = *vectors[at];
+  const auto is_there = [&](std::size_t other) {
+    return field.triangle[other] == field.triangle[at] && vectors[other].has_value();
+  };
+  glm::dvec2 change(0);
+  int neighbours = 0;
+  if (number > 0 && is_there(at - step)) change += here - *vectors[at - step], ++neighbours;
+  if (number < last && is_there(at + step)) change += *vectors[at + step] - here, ++neighbours;
+  return unit + change / double(std::max(neighbours, 1));
+}
+
+// The mean over the pixel that is carried to the key: so many places each way as it is pixels of the key long.
+std::optional<glm::dvec3> fetch_footprint(const KeyFrame& key, const glm::dvec2& place, const glm::dvec2& right,
+                                          const glm::dvec2& down, std::uint32_t identity,
+                                          const CompensationMode& mode) {
+  constexpr int kMost = 8;  // places each way
+  const auto places = [&](const glm::dvec2& side) {
+    return std::clamp(int(std::ceil(glm::length(side) - 0.25)), 1, kMost);
+  };
+  const int across = places(right), rows = places(down);
+  glm::dvec3 sum(0);
+  int shown = 0;
+  for (int j = 0; j < rows; ++j) {
+    for (int i = 0; i < across; ++i) {
+      const glm::dvec2 at = place + right * ((i + 0.5) / across - 0.5) + down * ((j + 0.5) / rows - 0.5);
+      const auto colour = fetch(key, at, identity, mode);
+      if (colour) sum += *colour, ++shown;
+    }
+  }
+  if (shown == 0) return std::nullopt;
+  return sum / double(shown);
+}
+
 // Of one pixel of the field.
 struct OfTheKeys {
   std::uint8_t keys = 0;  // that show it
@@ -121,7 +160,11 @@ OfTheKeys fetched(const OfKeys<KeyFrame>& keys, const MotionField& field, std::s
   for (int key = 0; key < kKeys; ++key) {
     const auto& vector = field.to_key[key][at];
     if (!vector || !mode.use[key]) continue;
-    const auto colour = fetch(keys[key], (centre + *vector) * scale, identity, mode);
+    const glm::dvec2 place = (centre + *vector) * scale;
+    const auto colour = mode.filter == Filter::kFootprint
+                            ? fetch_footprint(keys[key], place, stretch(field, key, at, false) * scale,
+                                              stretch(field, key, at, true) * scale, identity, mode)
+                            : fetch(keys[key], place, identity, mode);
     if (!colour) continue;
     out.keys |= std::uint8_t(1 << key);
     out.colour[key] = *colour;
@@ -144,6 +187,11 @@ Compensated compensate(const OfKeys<KeyFrame>& keys, const MotionField& field, c
     const std::uint32_t identity = identities[field.face[at]];
     OfTheKeys of = fetched(keys, field, at, identity, mode);
     if (of.keys == 0 && second) of = fetched(*second, field, at, identity, mode);
+    if (of.keys == 0 && !mode.render_holes) {
+      CompensationMode untested = mode;
+      untested.index_test = false;
+      of = fetched(keys, field, at, identity, untested);
+    }
     out.keys[at] = of.keys;
     if (of.keys == 0) {
       ++out.shares.filled;

@@ -14,8 +14,15 @@
 
 namespace halfspace::ref {
 
-enum class Filter { kNearest, kBilinear, kArea, kBicubic };
-constexpr Filter kFilters[] = {Filter::kNearest, Filter::kBilinear, Filter::kArea, Filter::kBicubic};
+enum class Filter {
+  kNearest,
+  kBilinear,
+  kArea,
+  kBicubic,
+  kFootprint,  // bilinear at places all over the pixel as the motion carries it, if that makes it larger
+};
+constexpr Filter kFilters[] = {Filter::kNearest, Filter::kBilinear, Filter::kArea, Filter::kBicubic,
+                               Filter::kFootprint};
 const char* name_of(Filter);  // "nearest", …
 
 // width · height pixels, row 0 on top. Identity and colour are of one thing that the pixel shows.
@@ -41,10 +48,11 @@ struct CompensationMode {
   bool index_test = true;        // else each tap in the frame matches
   OfKeys<bool> use{true, true};  // a key that is not used shows nothing
   double least_weight = 0;       // of the taps that match together, for the key to show the point
+  bool render_holes = true;      // else what no key shows is taken as without the index test
 };
 
-// The colour of a key at a place in pixels, 0-255, as `identity` has it; none if the key does not show it.
-// docs/frames.md has the rules.
+// The colour of a key at a place in pixels, 0-255, as `identity` has it; none if the key does not show it. Of a place
+// alone a footprint is a bilinear filter. docs/frames.md has the rules.
 std::optional<glm::dvec3> fetch(const KeyFrame&, const glm::dvec2& place, std::uint32_t identity,
                                 const CompensationMode&);
 

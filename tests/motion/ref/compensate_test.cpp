@@ -158,5 +158,41 @@ TEST(Compensate, FinerKeysAreNearer) {
   EXPECT_THROW(between(moved, 0.5, mode), Error);
 }
 
+// A key that shows a square three times as large, and a vector a pixel: a bilinear filter takes one pixel of nine.
+TEST(Compensate, AFootprintTakesAllThatItsPixelIsInTheKey) {
+  const At shrinks = [](double a) {
+    return squares({{5 + 55 * a, 5 + 40 * a, 150 - 100 * a, 105 - 70 * a}}, noise(64));
+  };
+  UpConversion mode = surfaces(kPlain);
+  mode.texture = TextureMode{};
+  mode.samples = 4, mode.field = FieldSize::kPixels;
+  mode.compensation.use[1] = false;
+  const auto psnr = [&](Filter filter) {
+    const FrameBetween made = between(shrinks, 1, with(filter, mode));
+    return quality(made.colour, made.rendered, kWidth, kHeight).psnr_y;
+  };
+  EXPECT_GT(psnr(Filter::kFootprint), psnr(Filter::kBilinear) + 3);
+  // Where nothing is larger it is the bilinear filter.
+  const At moved = [](double a) { return squares({{20 + 7.3 * a, 30, 50, 40}}, noise(16)); };
+  EXPECT_EQ(between(moved, 0.5, with(Filter::kFootprint, mode)).colour,
+            between(moved, 0.5, with(Filter::kBilinear, mode)).colour);
+}
+
+// What no key shows, untested, is what lies there.
+TEST(Compensate, HolesMayBeWhatLiesThere) {
+  const At uncovers = [](double a) {
+    return squares({{20, 30, 50, 40, 0, {1, 0, 0}}, {50 - 60 * std::abs(a - 0.5), 30, 50, 40, 1, {0, 0, 1}}});
+  };
+  UpConversion mode = surfaces(kPlain);
+  const FrameBetween rendered = between(uncovers, 0.5, mode);
+  mode.compensation.render_holes = false;
+  const FrameBetween untested = between(uncovers, 0.5, mode);
+  EXPECT_EQ(rendered.shares.filled, 30u * 40);
+  EXPECT_EQ(rendered.colour, rendered.rendered);
+  EXPECT_EQ(untested.shares.filled, 0u);
+  EXPECT_EQ(untested.colour[50 * kWidth + 30][2], 255);  // of the blue one, which hides the red one in both keys
+  EXPECT_EQ(untested.rendered[50 * kWidth + 30][2], 0);
+}
+
 }  // namespace
 }  // namespace halfspace::ref
