@@ -57,6 +57,7 @@ Json to_json(const Config& config) {
 Json to_json(const ref::Rates& rates) {
   return {{"triangles", rates.triangles},
           {"reduced_triangles", rates.reduced_triangles},
+          {"culled", rates.culled},
           {"fragments", rates.fragments},
           {"reduced_fragments", rates.reduced_fragments},
           {"visible_pixels", rates.visible_pixels},

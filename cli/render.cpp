@@ -99,7 +99,7 @@ ref::Frame draw_by(const RenderOptions& options, const LoadedScene& loaded, Coun
         has_texture(config)
             ? *loaded.scene
             : SceneSource(options.input.scene, options.input.choice, !options.texture.empty()).at(options.input.time);
-    geometry.emplace(*scene, ref::View{list.width, list.height, list.format.range_bits, list.format.subpixel_bits});
+    geometry.emplace(*scene, ref::frame_view(list.format, list.width, list.height));
     const std::string given = model::find_field("shading")->text(config);
     surface = ref::lit_surface(*geometry, list,
                                kind_of(ref::kShadingModes, options.shading.empty() ? given : options.shading));

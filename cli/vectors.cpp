@@ -18,6 +18,7 @@
 #include "vectors/frames/awkward.hpp"
 #include "vectors/frames/extremes.hpp"
 #include "vectors/frames/features/feature_extremes.hpp"
+#include "vectors/frames/index_frames.hpp"
 #include "vectors/frames/rare_frames.hpp"
 #include "vectors/frames/static_sequence.hpp"
 #include "vectors/staging.hpp"
@@ -272,6 +273,9 @@ void write_vectors(const VectorsOptions& options) {
     std::vector<model::NamedFrame> first = model::corner_frames(format);
     for (auto& frame : model::random_frames(format, options.seed, options.random, options.random_triangles)) {
       first.push_back(std::move(frame));
+    }
+    if (gives_indices(configuration.config())) {
+      for (auto& frame : model::index_frames(format, configuration.config())) first.push_back(std::move(frame));
     }
     first.insert(first.end(), std::make_move_iterator(frames.begin()), std::make_move_iterator(frames.end()));
     frames = std::move(first);

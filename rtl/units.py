@@ -14,7 +14,8 @@ CONFIG = re.compile(r"^// Number formats of configuration `([\w-]+)`", re.MULTIL
 GAMMA, PHONG, MOTION = ((lambda c: c["HasDepth"] and not c["StoresDepth"]), (lambda c: c["Phong"]),
                         (lambda c: c["HasMotion"]))
 OBJECTS, TEXTURE = (lambda c: c["HasObjects"]), (lambda c: c["HasTexture"])
-HAVE = {"ztest_index": lambda c: not GAMMA(c), "ztest_plane": GAMMA,
+INDICES = (lambda c: c["GivesIndices"])
+HAVE = {"index_pool": INDICES, "ztest_index": lambda c: not GAMMA(c), "ztest_plane": GAMMA,
         "visible_select": lambda c: c["Lights"] or TEXTURE(c) or MOTION(c),
         "shade_setup": lambda c: not PHONG(c) and not MOTION(c),
         "shade_gouraud": lambda c: not PHONG(c) and not MOTION(c),

@@ -86,8 +86,7 @@ ref::Geometry geometry_of(const LoadedScene& loaded) {
                     "configuration without lights and texture",
                     loaded.configuration.name()));
   }
-  const ref::SnappedList& list = loaded.list;
-  return {*loaded.scene, {list.width, list.height, list.format.range_bits, list.format.subpixel_bits}};
+  return {*loaded.scene, ref::frame_view(loaded.list.format, loaded.list.width, loaded.list.height)};
 }
 
 }  // namespace
@@ -115,8 +114,7 @@ void tell_if_faces_share(const ref::Scene& scene, const Config& motion) {
 
 void tell_if_unseen(const LoadedScene& loaded, bool covers) {
   if (covers || !loaded.scene) return;
-  const ref::SnappedList& list = loaded.list;
-  const ref::View view{list.width, list.height, list.format.range_bits, list.format.subpixel_bits};
+  const ref::View view = ref::frame_view(loaded.list.format, loaded.list.width, loaded.list.height);
   std::fprintf(stderr, "halfspace: %s: nothing is in view: %s\n", loaded.name.c_str(),
                ref::why_unseen(*loaded.scene, view).c_str());
 }
@@ -242,8 +240,8 @@ LoadedScene load_snapped(const SceneInput& input) {
   }
   auto snapped = [&](const model::Configuration& configuration) -> LoadedScene {
     ref::RasterFormat format = model::raster_format(configuration);
-    if (input.window != 0) format.triangles = std::numeric_limits<int>::max();
-    const ref::TriangleList list = project({size.width, size.height, format.range_bits, format.subpixel_bits});
+    if (input.window != 0 || gives_indices(configuration.config())) format.triangles = std::numeric_limits<int>::max();
+    const ref::TriangleList list = project(ref::frame_view(format, size.width, size.height));
     return {input.scene, snap_scene(input.scene, list, format), configuration, project, scene, nullptr};
   };
   if (!input.config.empty()) return snapped(chosen);

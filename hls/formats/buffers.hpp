@@ -217,6 +217,14 @@ struct TextureMemory {
 #undef HS_MEMORY_OF
 #undef HS_MEMORY_ROWS
 
+// The registers of index_pool, with F::kGivesIndices; all 0 before the first frame.
+template <class F>
+struct PoolRegisters {
+  typename F::Index used;        // indices of this frame: 1 … used
+  typename F::Flight in_flight;  // triangles whose results it has not read yet,
+  typename F::Flight stale;      // and those among them that are of frames before
+};
+
 // I-buffer and marks of holes all 0 before the first frame; a frame leaves them so.
 template <class F>
 struct Buffers {
@@ -225,6 +233,7 @@ struct Buffers {
   ObjectTable<F> objects;
   FaceTable<F> faces;
   HoleMarks<F> holes;
+  PoolRegisters<F> pool{};
   ShadingDatabase<F> shading;
   NormalDatabase<F> normals;
   VisibilityDatabase<F> visibility;

@@ -27,6 +27,10 @@ enum class TextureMapping { kAffine, kPerspective };
 // each axis, or by area and distance; or four by four, with the weights of Catmull and Rom.
 enum class KeyFilter { kNone, kNearest, kBilinear, kArea, kBicubic };
 
+// Which triangles the setup drops by the sign of their area, as if they had none: those seen from behind, whose
+// vertices come clockwise on the screen, or those seen from the front.
+enum class Cull { kNone, kBack, kFront };
+
 // A configuration, as in its .toml file. Nothing here can be derived from the rest. What is not there has no numbers:
 // they are 0.
 struct Config {
@@ -57,6 +61,11 @@ constexpr bool up_converts(const Config& c) { return c.frames_between != 0; }
 constexpr bool has_motion(const Config& c) { return !shades(c) || up_converts(c); }
 constexpr bool relights(const Config& c) { return c.relight != 0; }
 constexpr bool has_objects(const Config& c) { return c.object_bits != 0; }
+constexpr bool culls(const Config& c) { return c.cull != Cull::kNone; }
+constexpr bool culls_back(const Config& c) { return c.cull == Cull::kBack; }
+constexpr bool culls_front(const Config& c) { return c.cull == Cull::kFront; }
+// Whether triangles come without an index, and index_pool gives each its own.
+constexpr bool gives_indices(const Config& c) { return c.index_window != 0; }
 // N: a key frame's pixels are kept in N × N banks, by column and row modulo N, of which a filter reads each at once.
 constexpr int key_side(KeyFilter filter) { return filter == KeyFilter::kBicubic ? 4 : 2; }
 // Whether there are planes of coordinates: of a texture, or of places in key frames.
@@ -82,7 +91,7 @@ constexpr int difference_bits(const Config& c) { return c.colour_bits + kDiffere
 constexpr int colour_plane_bits(const Config& c) { return relights(c) ? difference_bits(c) : c.colour_bits; }
 
 // The parts of a configuration. A file has the fields of those that it has.
-enum class Part { kBase, kLighting, kTexture, kCoordinates, kMotion, kObjects, kFilm };
+enum class Part { kBase, kLighting, kTexture, kCoordinates, kMotion, kObjects, kFilm, kCulling, kIndices };
 constexpr bool has_part(Part part, const Config& c) {
   return part == Part::kLighting      ? has_lighting(c)
          : part == Part::kTexture     ? has_texture(c)
@@ -90,6 +99,8 @@ constexpr bool has_part(Part part, const Config& c) {
          : part == Part::kMotion      ? has_motion(c)
          : part == Part::kObjects     ? has_objects(c)
          : part == Part::kFilm        ? up_converts(c)
+         : part == Part::kCulling     ? culls(c)
+         : part == Part::kIndices     ? gives_indices(c)
                                       : true;
 }
 

@@ -39,6 +39,7 @@ constexpr Refusal choice_refusal(const Config& c) {
   if (!shades(c) && (has_lighting(c) || has_texture(c))) return Refusal::kMotionShading;
   if (!shades(c) && up_converts(c)) return Refusal::kFilmShading;
   if (up_converts(c) && c.samples > 1) return Refusal::kFilmSamples;
+  if (up_converts(c) && gives_indices(c)) return Refusal::kFilmIndices;
   if (has_motion(c) && c.filter == KeyFilter::kNone) return Refusal::kFilter;
   if (has_objects(c) && (!stores_depth(c) || has_motion(c))) return Refusal::kObjectsNeedDepth;
   return Refusal::kNone;

@@ -14,6 +14,8 @@ constexpr FormatTable setup_formats(const Config& c, FormatTable t) {
   t.y = {bits_for(c.height), bits_for(c.height), false};
   // 0 is the background, so N triangles need N + 1 values.
   t.index = {bits_for(c.triangles), bits_for(c.triangles), false};
+  // Triangles whose results index_pool has not read yet: as many as its window at most.
+  t.flight = {bits_for(c.index_window), bits_for(c.index_window), false};
 
   // A position: range_bits before the point, the sign among them; c bits in all.
   t.coord = {c.range_bits + f, c.range_bits, true};

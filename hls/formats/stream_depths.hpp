@@ -23,6 +23,8 @@ constexpr int kTrianglesAhead = 512;
 // clang-format off
 #define HS_STREAM_DEPTHS(X)                                                                                     \
   X(triangle, 1, "")                                                                                            \
+  X(unnumbered, 1, "")                                                                                          \
+  X(numbered, 1, "")                                                                                            \
   X(drawn_triangle, 1, "")                                                                                      \
   X(numbered_triangle, 1, "")                                                                                   \
   X(faced_triangle, 1, "")                                                                                      \
@@ -32,6 +34,8 @@ constexpr int kTrianglesAhead = 512;
   X(triangle_depth, 4, "hs_pipeline TriangleDepthFifoDepth")                                                    \
   X(stamp, 4, "hs_pipeline StampFifoDepth")                                                                     \
   X(tested, 1, "")                                                                                              \
+  X(selected, 1, "")                                                                                            \
+  X(returned, F::kGivesIndices ? F::kIndexWindow : 1, F::kGivesIndices ? "hs_index_pool IndexWindow" : "")            \
   X(visible, 1, "")                                                                                             \
   X(visible_attributes, 4, F::kHasMotion ? "hs_motion AttributesFifoDepth" : "hs_shading AttributesFifoDepth")  \
   X(coloured_attributes, 1, "")                                                                                 \

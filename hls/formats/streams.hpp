@@ -68,8 +68,14 @@ struct Units {
     F::kHasTexture, "with texture",                                                                              \
     "a texel", Texel<F>)                                                                                         \
   X(triangle, triangle, Stream, "geometry", "triangle_setup", "",                                                \
-    true, "",                                                                                                    \
-    "a triangle, snapped; `last` ends the frame", Triangle<F>)                                                   \
+    !F::kGivesIndices, "index_window = 0",                                                                       \
+    "a triangle, snapped, with its index; `last` ends the frame", Triangle<F>)                                   \
+  X(unnumbered, triangle, Stream, "geometry", "index_pool", "",                                                  \
+    F::kGivesIndices, "index_window > 0",                                                                        \
+    "the same without an index", UnnumberedTriangle<F>)                                                          \
+  X(numbered, numbered, Stream, "index_pool", "triangle_setup", "",                                              \
+    F::kGivesIndices, "index_window > 0",                                                                        \
+    "the same with the index that it is given; 0, without an area: there is none", Triangle<F>)                  \
   X(setup, setup, Stream, "triangle_setup", "raster_pineda", "",                                                 \
     true, "",                                                                                                    \
     "edge functions, bounding box, depth plane", Setup<F>)                                                       \

@@ -15,6 +15,7 @@ template <class F>
 struct InnerStreams {
   Stream<Triangle<F>> drawn_triangle, numbered_triangle;        // with objects: copies of triangle
   Stream<Visible<F>> tested;                                    // deferred: before visible_select
+  Stream<Visible<F>> selected, returned;                        // with an index_pool: visible, and its copy for that
   Stream<Attributes<F>> coloured_attributes, texed_attributes;  // with texture: copies of those of visible triangles
   Stream<Scan<F>> pixel_scan, object_scan;                      // with objects: copies of scan
   Stream<Triangle<F>> faced_triangle;                           // of films: a copy of triangle

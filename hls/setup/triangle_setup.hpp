@@ -9,8 +9,11 @@
 //
 // and an edge includes its own points iff dy < 0, or dy = 0 and dx > 0 (top-left rule): else 1 is taken off.
 //
+// A configuration may cull: a triangle that is seen from behind, or one that is seen from the front, is dropped as if D
+// were 0. Which of both it is, is whether its vertices had to be swapped for that order.
+//
 // Interval of the RTL: setup_interval() cycles a triangle, 21 in low, 29 in middle, 31 in high; 3 if its box holds no
-// pixel centre, 7 if only D is 0.
+// pixel centre, 7 if D is 0 or it is culled.
 #ifndef HALFSPACE_HLS_SETUP_TRIANGLE_SETUP_HPP_
 #define HALFSPACE_HLS_SETUP_TRIANGLE_SETUP_HPP_
 
@@ -132,7 +135,9 @@ bool triangle_setup(const Frame<F>& frame, Stream<Triangle<F>>& triangle, Stream
 
   const PixelRange<F> columns = pixel_range<F>(x[0], x[1], x[2], frame.width);
   const PixelRange<F> rows = pixel_range<F>(y[0], y[1], y[2], frame.height);
-  const bool empty = is_zero(t.area) || columns.first > columns.last || rows.first > rows.last;
+  // Counter-clockwise as they came, with D < 0, is the front.
+  const bool culled = is_set(t.turned) ? F::kCullsFront : F::kCullsBack;
+  const bool empty = is_zero(t.area) || culled || columns.first > columns.last || rows.first > rows.last;
 
   Setup<F> out{};
   out.last = t.vertices.last;

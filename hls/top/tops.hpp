@@ -22,6 +22,11 @@ static_assert(complete_words<FaceEntry, HoleStamp, Motion, FoundPixel, KeyPixel>
 
 extern "C" {
 
+// Indices for a frame of triangles. The results that it reads are those of `index_window` triangles before, also of
+// frames before; what it knows of them stays from start to start. It is in no composed top.
+void index_pool_top(halfspace::Port<halfspace::UnnumberedTriangle>& unnumbered,
+                    halfspace::Port<halfspace::Visible>& returned, halfspace::Port<halfspace::Triangle>& numbered);
+
 // A frame of triangles.
 void triangle_setup_top(int width, int height, halfspace::Port<halfspace::Triangle>& triangle,
                         halfspace::Port<halfspace::Setup>& setup, halfspace::Port<halfspace::Attributes>& attributes);

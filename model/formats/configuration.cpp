@@ -61,7 +61,8 @@ ref::RasterFormat raster_format(const Configuration& configuration) {
   const Config c = configuration.config();
   return {configuration.name(), c.width,       c.height,
           c.triangles,          c.range_bits,  c.subpixel_bits,
-          c.depth_bits,         c.colour_bits, c.shading == Shading::kFlat};
+          c.depth_bits,         c.colour_bits, c.shading == Shading::kFlat,
+          ref::Cull(c.cull)};
 }
 
 }  // namespace halfspace::model

@@ -66,7 +66,8 @@ const Line kFields[] = {
     {"Texel", "address", "where it lies in the memory of texels", "texels", ""},
     {"Texel", "r g b", "its colour", "colour", ""},
 
-    {"Triangle", "index", "its number, from 1 in the order of the frame; 0: a frame without triangles", "", ""},
+    {"Triangle", "index",
+     "its number, from 1 in the order of the frame; 0: a frame without triangles, or none was left", "", ""},
     {"Triangle", "object", "the object that it is of; not 0", "", ""},
     {"Triangle", "face", "the face that it is of, modulo 2^b; not 0", "", ""},
     {"Triangle", "x# y#", "where vertex # is in the picture, row 0 on top", "pixels", ""},
@@ -266,11 +267,14 @@ std::string with_digit(std::string text, const std::string& name) {
   return text;
 }
 
+// A triangle without an index is told as one with.
+std::string told_as(const std::string& record) { return record == "UnnumberedTriangle" ? "Triangle" : record; }
+
 }  // namespace
 
 FieldMeaning field_meaning(const std::string& record, const std::string& field) {
   for (const Line& line : kFields) {
-    if ((line.record == record || line.record[0] == '*') && fits_one(line.fields, field)) {
+    if ((line.record == told_as(record) || line.record[0] == '*') && fits_one(line.fields, field)) {
       return {with_digit(line.meaning, field), line.unit, with_digit(line.valid_if, field)};
     }
   }
@@ -279,7 +283,7 @@ FieldMeaning field_meaning(const std::string& record, const std::string& field) 
 
 RecordOrder record_order(const std::string& record) {
   for (const Order& order : kOrders) {
-    if (order.record == record) return {order.order, order.any_order_within};
+    if (order.record == told_as(record)) return {order.order, order.any_order_within};
   }
   throw ref::Error(fmt::format("{}: model/formats/field_meanings.cpp has no order for it: add one", record));
 }

@@ -10,16 +10,17 @@ namespace {
 // What the table asks of a configuration, one bit each.
 struct Flags {
   static inline thread_local bool kHasLighting, kPhong, kHasTexture, kHasMotion, kHasObjects, kTestsPlanes, kDeferred,
-      kShades, kUpConverts;
+      kShades, kUpConverts, kGivesIndices;
 
   // Whether there is such a configuration.
   static bool set(unsigned bits) {
     kTestsPlanes = bits & 1, kHasLighting = bits & 2, kPhong = bits & 4;
     kHasTexture = bits & 8, kShades = !(bits & 16), kHasObjects = bits & 32, kUpConverts = bits & 64;
     kHasMotion = !kShades || kUpConverts;
+    kGivesIndices = bits & 128;
     kDeferred = kHasLighting || kHasTexture || kHasMotion;
     return !(kPhong && !kHasLighting) && !(!kShades && (kHasLighting || kHasTexture || kUpConverts)) &&
-           !(kHasObjects && (kTestsPlanes || kHasMotion));
+           !(kHasObjects && (kTestsPlanes || kHasMotion)) && !(kGivesIndices && kUpConverts);
   }
 };
 
@@ -39,7 +40,7 @@ void add(std::vector<std::string>& names, const std::string& name) {
 
 std::vector<ListedStream> all_streams() {
   std::vector<ListedStream> list;
-  for (unsigned bits = 0; bits < 128; ++bits) {
+  for (unsigned bits = 0; bits < 256; ++bits) {
     if (!Flags::set(bits)) continue;
     for (const StreamRow& row : rows<Flags>()) {
       const auto is_row = [&](const ListedStream& s) {

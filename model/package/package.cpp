@@ -23,7 +23,7 @@ void add_setup(PackageWriter& out) {
   out.constants({"HasDepth", "StoresDepth", "Gouraud", "Phong", "HasTexture", "SendsShape"});
   out.number("MaxWidth", c.width);
   out.number("MaxHeight", c.height);
-  out.constants({"Triangles"});
+  out.constants({"Triangles", "CullsBack", "CullsFront", "GivesIndices", "IndexWindow"});
   out.bits({&T::x, &T::y, &T::index});
   out.constants({"SubpixelBits"});
   out.bits({&T::coord, &T::delta, &T::area, &T::edge, &T::edge_step});
@@ -89,6 +89,10 @@ std::string formats_package(const Configuration& configuration) {
   for (const Layout& layout : layouts) {
     // The records of attributes, and of scan.
     if (layout.stream != "visible_attributes" && layout.stream != "masked") out.record(layout);
+    if (layout.stream != "triangle" || gives_indices(configuration.config())) continue;
+    Layout numbered = layout;  // as it comes
+    numbered.stream = "numbered";
+    out.record(numbered);
   }
   for (const Layout& layout : all) {
     for (const char* record : {"merge", "found", "asked", "film"}) {

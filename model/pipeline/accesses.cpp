@@ -16,6 +16,7 @@ class Counter {
         stores_depth_(stores_depth(config)),
         tests_planes_(tests_planes(config)),
         has_objects_(has_objects(config)),
+        numbered_(gives_indices(config) ? "numbered" : "triangle"),
         lanes_x_(engine.lanes_x()),
         lanes_(engine.lanes_x() * engine.lanes_y()),
         lanes_y_(engine.lanes_y()),
@@ -37,7 +38,7 @@ class Counter {
       for (std::size_t k = 0; k < number; ++k) scan(layout, words[k]);
     } else if (stream == "planes" || stream == "motion_planes") {
       stored(n.shading, w.shading, number - count_set(layout, words, number, "empty"));
-    } else if (stream == "triangle" && has_objects_) {
+    } else if (has_objects_ && stream == numbered_) {
       stored(n.object, w.object, count_set(layout, words, number, "index"));
     } else if (stream == "visible" && tests_planes_) {
       stored(n.visibility, w.visibility, count_set(layout, words, number, "visible"));
@@ -71,6 +72,7 @@ class Counter {
   }
 
   const bool by_pixel_, stores_depth_, tests_planes_, has_objects_;
+  const std::string numbered_;  // the stream of triangles that have an index
   const int lanes_x_, lanes_, lanes_y_, width_, height_;
   std::vector<std::int64_t> seen_;
   Accesses out_;

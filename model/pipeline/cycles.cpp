@@ -21,7 +21,7 @@ int passes(int bits, int chunk) { return (bits + chunk - 1) / chunk; }
 // What hs_triangle_setup makes of a triangle.
 struct SetupWork {
   bool outside;   // the box holds no pixel centre
-  bool empty;     // or D = 0
+  bool empty;     // or D = 0, or it is culled
   bool swapped;   // D < 0 as the vertices come
   int normalize;  // cycles to bring the leading one of D to the top
 };
@@ -31,6 +31,9 @@ std::int64_t twice_area(const ref::SnappedTriangle& t) {
   return (std::int64_t(t.x[1]) - t.x[0]) * (std::int64_t(t.y[2]) - t.y[0]) -
          (std::int64_t(t.y[1]) - t.y[0]) * (std::int64_t(t.x[2]) - t.x[0]);
 }
+
+// Of a triangle with an area. The front has D < 0, as rows go downward.
+bool is_culled(Cull which, std::int64_t area) { return which != Cull::kNone && (area < 0) == (which == Cull::kFront); }
 
 // The box holds a pixel centre of 0 … size − 1.
 bool holds_centre(const std::array<std::int32_t, 3>& at, int f, int size) {
@@ -47,7 +50,7 @@ SetupWork setup_work(const Config& c, const ref::SnappedList& scene, const ref::
   SetupWork work{};
   work.outside = !holds_centre(t.x, c.subpixel_bits, scene.width) || !holds_centre(t.y, c.subpixel_bits, scene.height);
   std::int64_t area = twice_area(t);
-  work.empty = work.outside || area == 0;
+  work.empty = work.outside || area == 0 || is_culled(c.cull, area);
   work.swapped = area < 0;
   if (work.swapped) area = -area;
   if (area == 0) return work;
@@ -182,11 +185,16 @@ UnitIntervals unit_intervals(const Config& c) {
 }
 
 SetupModel::SetupModel(const Config& c, int width, int height)
-    : subpixel_bits_(c.subpixel_bits), width_(width), height_(height), intervals_(unit_intervals(c)) {}
+    : subpixel_bits_(c.subpixel_bits), width_(width), height_(height), cull_(c.cull), intervals_(unit_intervals(c)) {}
+
+bool SetupModel::has_sign(const ref::SnappedTriangle& t) const {
+  return holds_centre(t.x, subpixel_bits_, width_) && holds_centre(t.y, subpixel_bits_, height_) && twice_area(t) != 0;
+}
 
 SetupCycles SetupModel::cycles(const ref::SnappedTriangle& t) const {
   const bool outside = !holds_centre(t.x, subpixel_bits_, width_) || !holds_centre(t.y, subpixel_bits_, height_);
-  return cycles_of(outside, outside || twice_area(t) == 0, intervals_);
+  const std::int64_t area = twice_area(t);
+  return cycles_of(outside, outside || area == 0 || is_culled(cull_, area), intervals_);
 }
 
 Cycles model_cycles(const Config& config, Engine& engine, const ref::SnappedList& scene, const ref::Frame& frame,

@@ -21,8 +21,9 @@ namespace halfspace::model {
 
 // Cycles of the units that depend on the configuration alone.
 struct UnitIntervals {
-  int triangle_setup;  // a triangle that is not empty; 3 when its box holds no pixel centre, 7 when only D is 0
-  int shade_setup;     // a triangle that is not empty
+  // A triangle that is not empty; 3 when its box holds no pixel centre, else 7 when D is 0 or it is culled.
+  int triangle_setup;
+  int shade_setup;  // a triangle that is not empty
 };
 UnitIntervals unit_intervals(const Config&);
 
@@ -34,9 +35,12 @@ class SetupModel {
  public:
   SetupModel(const Config&, int width, int height);
   SetupCycles cycles(const ref::SnappedTriangle&) const;
+  // Whether its box holds a pixel centre and it has an area, so that it is looked at for culling.
+  bool has_sign(const ref::SnappedTriangle&) const;
 
  private:
   const int subpixel_bits_, width_, height_;
+  const Cull cull_;
   const UnitIntervals intervals_;
 };
 

@@ -43,7 +43,8 @@ class Engine {
   // 2^object_bits − 1; none: all are of object 1.
   virtual void number(const std::vector<std::uint32_t>& objects) = 0;
   // Not 0: from now on indices of invisible triangles are used again, by the rule of ref::IndexReuse with this window,
-  // and a frame may have more triangles than there are indices. render() throws ref::Error when they are used up.
+  // and a frame may have more triangles than there are indices. render() throws ref::Error when they are used up. A
+  // configuration with an index_window has that one, whatever is said here.
   virtual void reuse_indices(int window) = 0;
   // How many of its triangles, from the first on, there are indices for.
   virtual std::size_t fits(const ref::SnappedList& scene) = 0;
@@ -61,7 +62,8 @@ class Engine {
   virtual std::vector<int> visits(const ref::SnappedList& scene) = 0;
   // What the stamps of each triangle cost ztest_plane; of type δ, nothing.
   virtual std::vector<PlaneTests> plane_tests(const ref::SnappedList& scene) = 0;
-  // The same frame, each stream told to `sink` once, in flow order.
+  // The same frame, each stream told to `sink` once, in flow order. With an index_window triangles that there is no
+  // index for are not drawn, as in hardware; their words of `visible` have index 0.
   virtual void capture(const ref::SnappedList& scene, const WordSink& sink) = 0;
 };
 

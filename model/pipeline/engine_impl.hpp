@@ -45,8 +45,9 @@ class KernelEngine : public Engine {
 
   std::size_t fits(const ref::SnappedList& scene) override {
     const std::size_t indices = std::size_t(F::kTriangles);
-    if (answers_.window == 0 || scene.triangles.size() <= indices) return std::min(scene.triangles.size(), indices);
-    const std::size_t drawn = draw(scene, nullptr, false);
+    if (index_rule<F>(answers_).window == 0 || scene.triangles.size() <= indices)
+      return std::min(scene.triangles.size(), indices);
+    const std::size_t drawn = draw(scene, nullptr, Drawn::kFirst);
     Colours8 colour;
     scan(scene, colour);
     return drawn;
@@ -94,7 +95,9 @@ class KernelEngine : public Engine {
 
   void capture(const ref::SnappedList& scene, const WordSink& sink) override {
     const Recorder recorder(*streams_);
-    render(scene);
+    draw(scene, nullptr, Drawn::kNumbered);
+    Colours8 colour;
+    scan(scene, colour);
     recorder.tell(sink);
   }
 
@@ -120,8 +123,8 @@ class KernelEngine : public Engine {
     return std::move(listener.records);
   }
 
-  std::size_t draw(const ref::SnappedList& scene, std::vector<bool>* visible, bool all = true) {
-    return model::draw<F>(scene, answers_, all, *streams_, *buffers_, visible);
+  std::size_t draw(const ref::SnappedList& scene, std::vector<bool>* visible, Drawn which = Drawn::kAll) {
+    return model::draw<F>(scene, answers_, which, *streams_, *buffers_, visible);
   }
   void scan(const ref::SnappedList& scene, Colours8& colour) {
     scan_out<F>(scene, frame_registers<F>(scene), *streams_, *buffers_, colour);

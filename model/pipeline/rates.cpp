@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/pipeline/rates.hpp"
 
+#include <algorithm>
 #include <map>
 #include <string>
 
 #include "model/formats/field_value.hpp"
+#include "model/pipeline/cycles.hpp"
 
 namespace halfspace::model {
 
@@ -46,6 +48,15 @@ ref::Rates count_rates(Engine& engine, const ref::SnappedList& scene, const Conf
           const auto found = has_texture.find(field_value(words[n], index, lane));
           if (found != has_texture.end() && found->second) rates.texture_fetches += std::uint64_t(texels_of_pixel);
         }
+      }
+    }
+    if (layout.stream == "setup" && culls(config)) {
+      // Empty for no other reason than its sign. Index 0: none of the pool was left for it.
+      const SetupModel setup(config, scene.width, scene.height);
+      const Field &empty = field_named(layout, "empty"), &index = field_named(layout, "index");
+      for (std::size_t k = 0; k < std::min(count, scene.triangles.size()); ++k) {
+        rates.culled += field_value(words[k], empty) != 0 && field_value(words[k], index) != 0 &&
+                        setup.has_sign(scene.triangles[k]);
       }
     }
     for (const Counter& counter : kCounters) {

@@ -25,7 +25,7 @@ void face_parts(const std::vector<ClipVertex>& polygon, bool two_sided, const Vi
   for (std::size_t i = 2; i < polygon.size(); ++i) {
     FacePart part{int(i) - 2, {}, {&polygon[0], &polygon[i - 1], &polygon[i]}};
     for (int v = 0; v < 3; ++v) part.triangle[v] = viewport(part.from[v]->position, view);
-    if (two_sided || faces_viewer(part.triangle, view)) emit(part);
+    if (two_sided || !view.culls || faces_viewer(part.triangle, view)) emit(part);
   }
 }
 

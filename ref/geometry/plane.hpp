@@ -24,6 +24,7 @@ struct OrderedTriangle {
   std::array<std::int64_t, 3> x, y;
   std::array<int, 3> vertex;  // which of the triangle each is
   std::int64_t area;          // D
+  bool front;                 // D was negative as they came: counter-clockwise, as rows go downward
 
   explicit OrderedTriangle(const SnappedTriangle& t) : vertex{0, 1, 2} {
     const auto cross = [&](int a, int b, int c) {
@@ -31,12 +32,16 @@ struct OrderedTriangle {
              (std::int64_t(t.y[b]) - t.y[a]) * (std::int64_t(t.x[c]) - t.x[a]);
     };
     area = cross(0, 1, 2);
-    if (area < 0) {
+    front = area < 0;
+    if (front) {
       area = -area;
       std::swap(vertex[1], vertex[2]);
     }
     for (int i = 0; i < 3; ++i) x[i] = t.x[vertex[i]], y[i] = t.y[vertex[i]];
   }
+
+  // Whether it is of the side that is dropped; one without an area is of none.
+  bool is_culled(Cull which) const { return area != 0 && which != Cull::kNone && front == (which == Cull::kFront); }
 
   // The edge function of the edge from vertex i to the next, at a point in the same units: not negative on the inner
   // side. A point of the edge itself is inside only if the edge is a left or a top one, so that a centre on a

@@ -20,6 +20,12 @@ std::vector<ClipPlane> planes_around(const View& view, double left, double right
 
 }  // namespace
 
+View frame_view(const RasterFormat& format, int width, int height) {
+  View view{width, height, format.range_bits, format.subpixel_bits};
+  view.culls = format.cull == Cull::kNone;
+  return view;
+}
+
 glm::dvec4 clip_position(const Viewpoint& viewpoint, const View& view, const glm::dmat4& to_world,
                          const glm::dvec3& position) {
   glm::dvec4 clip = viewpoint.to_clip * (to_world * glm::dvec4(position, 1));

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ref/geometry/clip.hpp"
+#include "ref/geometry/snap.hpp"
 #include "ref/geometry/triangle_list.hpp"
 #include "ref/geometry/viewpoint.hpp"
 
@@ -19,7 +20,11 @@ struct View {
   int range_bits;                   // positions come out inside [-2^(range_bits-1) + 1, 2^(range_bits-1) - 1] pixels
   int subpixel_bits;                // of the raster: culling goes by the sign of the area as snapped
   double shift_x = 0, shift_y = 0;  // pixels that the picture is moved to the right and down, before it is clipped
+  bool culls = true;                // faces that are seen from behind are left out; else the rasterizer may drop them
 };
+
+// A frame for a rasterizer of that format: whoever of both is said to culls.
+View frame_view(const RasterFormat&, int width, int height);
 
 // Of a mesh that is placed by `to_world`.
 glm::dvec4 clip_position(const Viewpoint&, const View&, const glm::dmat4& to_world, const glm::dvec3& position);

@@ -12,6 +12,10 @@
 
 namespace halfspace::ref {
 
+// The triangles that a rasterizer drops by the sign of their area: those seen from behind, which come clockwise on the
+// screen, or those seen from the front.
+enum class Cull { kNone, kBack, kFront };
+
 // What a hardware configuration takes; filled by the caller, as this folder knows none.
 struct RasterFormat {
   std::string name;
@@ -22,6 +26,7 @@ struct RasterFormat {
   int depth_bits;       // b, bits of a depth, 32 or less; 0: no depth, the first drawn wins
   int colour_bits = 8;  // bits of a channel, 8 or less
   bool flat = false;    // a triangle has the colour of its vertex 0
+  Cull cull = Cull::kNone;
 };
 
 struct SnappedTriangle {

@@ -34,7 +34,7 @@ class Renderer {
         architecture_(architecture),
         deferred_lighting_(deferred_lighting && is_index_rendering(architecture)),
         circuit_(circuit),
-        spans_(list.width, list.height, list.format.subpixel_bits),
+        spans_(list.width, list.height, list.format.subpixel_bits, list.format.cull),
         pool_(reuse),
         pixels_(std::size_t(list.width) * list.height),
         has_depth_(list.format.depth_bits != 0) {
@@ -82,6 +82,7 @@ class Renderer {
     const OrderedTriangle t(snapped);
     const Plane depth(t, has_depth_ ? std::array<std::int64_t, 3>{snapped.depth[0], snapped.depth[1], snapped.depth[2]}
                                     : std::array<std::int64_t, 3>{});
+    out_.rates.culled += spans_.is_dropped(t);
     bool visible = false;
     spans_.of(t, [&](std::int64_t row, Span span) {
       for (std::int64_t column = span.first; column <= span.last; ++column) {

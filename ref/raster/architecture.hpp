@@ -25,6 +25,7 @@ constexpr bool is_index_rendering(Architecture a) { return a == Architecture::kG
 // The data rates of a frame, and what they cause. Triangles that cover no pixel centre count as triangles.
 struct Rates {
   std::uint64_t triangles = 0, reduced_triangles = 0;  // handed over; with a fragment that passed the test
+  std::uint64_t culled = 0;  // with area and a pixel centre in their box, dropped by the sign of their area
   std::uint64_t fragments = 0, reduced_fragments = 0;  // covered; that passed
   std::uint64_t visible_pixels = 0, pixels = 0;        // that show a triangle in the end; of the frame
   std::uint64_t runs = 0;                              // of visible pixels of one triangle side by side in a row

@@ -28,23 +28,25 @@ class IndexPool {
 
   // Whether there is one for the next triangle.
   bool has_one() const {
-    const bool again = rule_.window != 0 && in_flight_.size() == rule_.window && !in_flight_.front().second;
-    return again || used_ != rule_.largest;
+    const bool full = rule_.window != 0 && in_flight_.size() == rule_.window;
+    return (full && in_flight_.front().first != 0 && !in_flight_.front().second) || used_ != rule_.largest;
   }
   std::uint32_t take() {
+    if (!has_one()) {
+      throw Error(fmt::format("more than {} triangles are visible at once: take a configuration with more index bits",
+                              rule_.largest));
+    }
+    return take_or_none();
+  }
+  // 0: there is none. Its triangle must not be drawn.
+  std::uint32_t take_or_none() {
     std::uint32_t index = 0;
     if (rule_.window != 0 && in_flight_.size() == rule_.window) {
       const auto [earlier, visible] = in_flight_.front();
       in_flight_.pop_front();
       if (!visible) index = earlier;
     }
-    if (index == 0) {
-      if (used_ == rule_.largest) {
-        throw Error(fmt::format("more than {} triangles are visible at once: take a configuration with more index bits",
-                                rule_.largest));
-      }
-      index = ++used_;
-    }
+    if (index == 0 && used_ != rule_.largest) index = ++used_;
     return index;
   }
   void done(std::uint32_t index, bool visible) {

@@ -8,7 +8,8 @@ namespace {
 
 class Raster {
  public:
-  explicit Raster(const SnappedList& list) : list_(list), spans_(list.width, list.height, list.format.subpixel_bits) {
+  explicit Raster(const SnappedList& list)
+      : list_(list), spans_(list.width, list.height, list.format.subpixel_bits, list.format.cull) {
     const std::size_t pixels = std::size_t(list.width) * list.height;
     const std::uint32_t full = full_depth(list.format.depth_bits);
     const double scale = 255.0 / full_depth(colour_bits());

@@ -16,21 +16,21 @@ struct Span {
 
 class Spans {
  public:
-  Spans(int width, int height, int subpixel_bits) : width_(width), height_(height), subpixel_bits_(subpixel_bits) {}
+  Spans(int width, int height, int subpixel_bits, Cull cull = Cull::kNone)
+      : width_(width), height_(height), subpixel_bits_(subpixel_bits), cull_(cull) {}
 
   std::int64_t one() const { return std::int64_t(1) << subpixel_bits_; }  // pixel, in units of positions
   std::int64_t centre(std::int64_t pixel) const { return pixel_centre(pixel, subpixel_bits_); }
 
-  // Whether the triangle has area, and a pixel centre of the frame in its box.
-  bool has_box(const OrderedTriangle& t) const {
-    const Span columns = box(t.x, width_), rows = box(t.y, height_);
-    return t.area != 0 && columns.first <= columns.last && rows.first <= rows.last;
-  }
+  // Whether the triangle has area, is not culled, and has a pixel centre of the frame in its box.
+  bool has_box(const OrderedTriangle& t) const { return holds_centre(t) && !t.is_culled(cull_); }
+  // Whether it would have, and is.
+  bool is_dropped(const OrderedTriangle& t) const { return holds_centre(t) && t.is_culled(cull_); }
 
   // visit(row, span) for each row of the triangle's box in the frame, from the top; spans may be empty.
   template <class Visit>
   void of(const OrderedTriangle& t, Visit&& visit) const {
-    if (t.area == 0) return;
+    if (t.area == 0 || t.is_culled(cull_)) return;
     const Span columns = box(t.x, width_), rows = box(t.y, height_);
     for (std::int64_t row = rows.first; row <= rows.last; ++row) {
       Span span = columns;
@@ -43,6 +43,10 @@ class Spans {
   }
 
  private:
+  bool holds_centre(const OrderedTriangle& t) const {
+    const Span columns = box(t.x, width_), rows = box(t.y, height_);
+    return t.area != 0 && columns.first <= columns.last && rows.first <= rows.last;
+  }
   // The pixels of a row (column) of `size` whose centres the vertices enclose.
   Span box(const std::array<std::int64_t, 3>& vertices, int size) const {
     const auto [low, high] = std::minmax_element(vertices.begin(), vertices.end());
@@ -61,6 +65,7 @@ class Spans {
   }
 
   const int width_, height_, subpixel_bits_;
+  const Cull cull_;
 };
 
 }  // namespace halfspace::ref

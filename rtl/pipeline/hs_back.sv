@@ -46,7 +46,7 @@ module hs_back #(
 
   // A triangle moves into the pipeline
   input  logic                                                  triangle_i,
-  input  hs_formats_pkg::triangle_t                             triangle_word_i,
+  input  hs_formats_pkg::numbered_t                             triangle_word_i,
 
   // From geometry
   input  logic                                                  light_valid_i,

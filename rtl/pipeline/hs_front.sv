@@ -10,6 +10,13 @@
 //                     └─attributes─► queue ─► visible_select ◄─ hs_ztest
 //                                                └─► visible, visible_attributes
 //
+// With GivesIndices geometry sends triangles without an index, index_pool gives each its own, and
+// hears each `visible` that geometry hears.
+//
+//   triangle ─► index_pool ─numbered─► triangle_setup ─►
+//                   ▲
+//                visible
+//
 // Cycles a frame in steady state: the more of triangles × interval of triangle_setup and visited
 // stamps. Stall: each stream waits for its taker.
 module hs_front #(
@@ -40,7 +47,12 @@ module hs_front #(
   output logic                        triangle_ready_o,
   input  hs_formats_pkg::triangle_t   triangle_i,
 
+  // A triangle moves into the setup
+  output logic                        numbered_taken_o,
+  output hs_formats_pkg::numbered_t   numbered_o,
+
   // To geometry
+  output logic                        none_left_o,  // of indices, for a triangle since the reset
   output logic                        visible_valid_o,
   input  logic                        visible_ready_i,
   output hs_formats_pkg::visible_t    visible_o,
@@ -65,6 +77,67 @@ module hs_front #(
       HasDepth != 0 && hs_formats_pkg::StoresDepth == 0
       ? PlaceBits + 3 * hs_formats_pkg::DepthPlaneBits : 1;
 
+  // --- index_pool ---
+  logic numbered_valid, numbered_ready;
+  logic shown_valid, shown_ready;  // `visible`, to geometry and index_pool
+  hs_formats_pkg::numbered_t numbered;
+  hs_formats_pkg::visible_t shown;
+
+  assign numbered_taken_o = numbered_valid && numbered_ready;
+  assign numbered_o = numbered;
+  assign visible_o = shown;
+
+  if (hs_formats_pkg::GivesIndices != 0) begin : gen_indices
+    logic sent_valid, sent_ready, returned_valid, returned_ready;
+    hs_formats_pkg::numbered_t sent;
+
+    hs_index_pool #(
+      .IndexWindow(hs_formats_pkg::IndexWindow)
+    ) u_index_pool (
+      .clk_i           (clk_i),
+      .rst_ni          (rst_ni),
+      .triangle_valid_i(triangle_valid_i),
+      .triangle_ready_o(triangle_ready_o),
+      .triangle_i      (triangle_i),
+      .visible_valid_i (returned_valid),
+      .visible_ready_o (returned_ready),
+      .visible_i       (shown),
+      .numbered_valid_o(sent_valid),
+      .numbered_ready_i(sent_ready),
+      .numbered_o      (sent),
+      .none_left_o     (none_left_o)
+    );
+
+    hs_stream #(
+      .Width($bits(numbered))
+    ) u_stream_numbered (
+      .valid_i(sent_valid),
+      .ready_o(sent_ready),
+      .word_i (sent),
+      .valid_o(numbered_valid),
+      .ready_i(numbered_ready),
+      .word_o (numbered)
+    );
+
+    hs_fork u_visible_fork (
+      .clk_i         (clk_i),
+      .rst_ni        (rst_ni),
+      .in_valid_i    (shown_valid),
+      .in_ready_o    (shown_ready),
+      .first_valid_o (visible_valid_o),
+      .first_ready_i (visible_ready_i),
+      .second_valid_o(returned_valid),
+      .second_ready_i(returned_ready)
+    );
+  end else begin : gen_given
+    assign numbered_valid = triangle_valid_i;
+    assign triangle_ready_o = numbered_ready;
+    assign numbered = triangle_i;
+    assign visible_valid_o = shown_valid;
+    assign shown_ready = visible_ready_i;
+    assign none_left_o = 1'b0;
+  end
+
   // --- triangle_setup ---
   logic sent_setup_valid, sent_setup_ready, setup_valid, setup_ready;
   logic sent_attributes_valid, sent_attributes_ready, attributes_valid, attributes_ready;
@@ -79,9 +152,9 @@ module hs_front #(
     .rst_ni            (rst_ni),
     .frame_width_i     (frame_width_i),
     .frame_height_i    (frame_height_i),
-    .triangle_valid_i  (triangle_valid_i),
-    .triangle_ready_o  (triangle_ready_o),
-    .triangle_i        (triangle_i),
+    .triangle_valid_i  (numbered_valid),
+    .triangle_ready_o  (numbered_ready),
+    .triangle_i        (numbered),
     .setup_valid_o     (sent_setup_valid),
     .setup_ready_i     (sent_setup_ready),
     .setup_o           (sent_setup),
@@ -212,9 +285,9 @@ module hs_front #(
       .visible_valid_i           (tested_valid),
       .visible_ready_o           (tested_ready),
       .visible_i                 (tested),
-      .visible_valid_o           (visible_valid_o),
-      .visible_ready_i           (visible_ready_i),
-      .visible_o                 (visible_o),
+      .visible_valid_o           (shown_valid),
+      .visible_ready_i           (shown_ready),
+      .visible_o                 (shown),
       .visible_attributes_valid_o(selected_valid),
       .visible_attributes_ready_i(selected_ready),
       .visible_attributes_o      (selected)
@@ -231,9 +304,9 @@ module hs_front #(
       .word_o (attributes_o)
     );
   end else begin : gen_at_once
-    assign visible_valid_o = tested_valid;
-    assign tested_ready = visible_ready_i;
-    assign visible_o = tested;
+    assign shown_valid = tested_valid;
+    assign tested_ready = shown_ready;
+    assign shown = tested;
     assign attributes_valid_o = attributes_valid;
     assign attributes_ready = attributes_ready_i;
     assign attributes_o = attributes;

@@ -19,6 +19,9 @@
 // `pixel` does, and the Z-buffer has two banks.
 // Type gamma: ztest_plane, with a stream of planes from raster_pineda, and TdbV stand where
 // ztest_index and the Z-buffer do.
+// With an index_window index_pool stands before triangle_setup, and geometry sends triangles
+// without an index. A `visible` names the one that its triangle had; 0: none was left, and it is
+// not drawn.
 // A stream that the configuration has not is one bit, not looked at and never valid.
 //
 // A frame is drawn while the one before is scanned out; see hs_frame_control. Cycles a frame in
@@ -66,6 +69,7 @@ module hs_pipeline #(
   input  hs_formats_pkg::triangle_t                             triangle_i,
 
   // To geometry
+  output logic                                                  none_left_o,  // with index_pool
   output logic                                                  visible_valid_o,
   input  logic                                                  visible_ready_i,
   output hs_formats_pkg::visible_t                              visible_o,
@@ -123,7 +127,8 @@ module hs_pipeline #(
   );
 
   // --- triangles into the I-buffer ---
-  logic attributes_valid, attributes_ready, scan_read_en, scan_write_en;
+  logic attributes_valid, attributes_ready, scan_read_en, scan_write_en, numbered_taken;
+  hs_formats_pkg::numbered_t numbered;
   hs_formats_pkg::attributes_t attributes;
   logic [AddressBits-1:0] scan_address;
   logic [Lanes*hs_formats_pkg::IndexBits-1:0] scan_index;
@@ -144,6 +149,9 @@ module hs_pipeline #(
     .triangle_valid_i  (triangle_valid_i && frames_open),
     .triangle_ready_o  (front_triangle_ready),
     .triangle_i        (triangle_i),
+    .numbered_taken_o  (numbered_taken),
+    .numbered_o        (numbered),
+    .none_left_o       (none_left_o),
     .visible_valid_o   (visible_valid_o),
     .visible_ready_i   (visible_ready_i),
     .visible_o         (visible_o),
@@ -175,8 +183,8 @@ module hs_pipeline #(
     .planes_last_o              (planes_last),
     .stored_last_o              (stored_last),
     .shown_last_o               (shown_last),
-    .triangle_i                 (triangle_valid_i && triangle_ready_o),
-    .triangle_word_i            (triangle_i),
+    .triangle_i                 (numbered_taken),
+    .triangle_word_i            (numbered),
     .light_valid_i              (light_valid_i),
     .light_i                    (light_i),
     .material_valid_i           (material_valid_i),

@@ -60,6 +60,7 @@ module hs_static_frames #(
   input  hs_formats_pkg::triangle_t                             triangle_i,
 
   // To geometry
+  output logic                                                  none_left_o,  // see hs_pipeline
   output logic                                                  visible_valid_o,
   input  logic                                                  visible_ready_i,
   output hs_formats_pkg::visible_t                              visible_o,
@@ -133,6 +134,7 @@ module hs_static_frames #(
     .triangle_valid_i           (triangle_valid_i),
     .triangle_ready_o           (triangle_ready_o),
     .triangle_i                 (triangle_i),
+    .none_left_o                (none_left_o),
     .visible_valid_o            (visible_valid_o),
     .visible_ready_i            (visible_ready_i),
     .visible_o                  (visible_o),

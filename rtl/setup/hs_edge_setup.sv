@@ -14,6 +14,7 @@
 // looked at. Interval: 14 cycles, 13 where no plane asks for an area, one more if D < 0; 3 if the
 // box is empty, 7 if D = 0. Stall: the area waits for hs_reciprocal, the next triangle for the
 // output to be taken. An empty triangle sends no area, and all but last, empty and index is 0 then.
+// With CullsBack or CullsFront a triangle of that side is as one with D = 0.
 // The depth plane of setup_o is 0.
 module hs_edge_setup #(
   parameter int unsigned LanesX = 1,
@@ -34,7 +35,7 @@ module hs_edge_setup #(
   // From geometry
   input  logic                        triangle_valid_i,
   output logic                        triangle_ready_o,
-  input  hs_formats_pkg::triangle_t   triangle_i,
+  input  hs_formats_pkg::numbered_t   triangle_i,
 
   // To hs_reciprocal: D
   output logic                        area_valid_o,
@@ -70,10 +71,10 @@ module hs_edge_setup #(
   localparam state_e AfterCross = HasDepth != 0 || SendsShape != 0 ? Send : Take;
   state_e state_q;
   logic [2:0] step_q;
-  logic swap_q, zero_q, outside, negative, zero, take, take_empty, free;
+  logic swap_q, dropped_q, outside, negative, dropped, take, take_empty, free;
 
   // --- Vertices in order ---
-  hs_formats_pkg::triangle_t ordered;
+  hs_formats_pkg::numbered_t ordered;
   logic [2:0] order;
   hs_formats_pkg::coord_t x0, y0, x1, y1, x2, y2;
   hs_formats_pkg::delta_t dx1, dy1, dx2, dy2;
@@ -131,7 +132,7 @@ module hs_edge_setup #(
   logic valid_q, done_q;
 
   assign free = !valid_q || (edge_valid_o && edge_ready_i);
-  assign take_empty = state_q == Cross || zero_q;
+  assign take_empty = state_q == Cross || dropped_q;
   assign take = free && (state_q == Take || (state_q == Cross && step_q == 3'd1 && outside));
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -139,7 +140,7 @@ module hs_edge_setup #(
       state_q <= Order;
       step_q <= 3'd0;
       swap_q <= 1'b0;
-      zero_q <= 1'b0;
+      dropped_q <= 1'b0;
     end else begin
       step_q <= step_q + 3'd1;
       unique case (state_q)
@@ -147,7 +148,7 @@ module hs_edge_setup #(
           if (triangle_valid_i) state_q <= Cross;
           step_q <= 3'd0;
           swap_q <= 1'b0;
-          zero_q <= 1'b0;
+          dropped_q <= 1'b0;
         end
         Cross: begin
           // The products of −D follow those of D at once, and are dropped if they are not needed.
@@ -157,15 +158,16 @@ module hs_edge_setup #(
           end
           if (step_q == 3'd4) begin
             swap_q <= negative;
-            zero_q <= zero;
-            if (!negative) state_q <= zero ? Take : AfterCross;
+            dropped_q <= dropped;
+            if (dropped) state_q <= Take;
+            else if (!negative) state_q <= AfterCross;
           end
           if (step_q == 3'd5) state_q <= AfterCross;
         end
         Send: if (area_ready_i) state_q <= Take;
         Take: begin
           step_q <= 3'd0;
-          if (take) state_q <= zero_q ? Order : Edges;
+          if (take) state_q <= dropped_q ? Order : Edges;
         end
         default: if (step_q == 3'd5) state_q <= Order;
       endcase
@@ -214,7 +216,9 @@ module hs_edge_setup #(
   // The edge vector is (e_dy, −e_dx), and not zero.
   assign inclusive = !e_dx[DeltaBits-1] && (e_dx != '0 || !e_dy[DeltaBits-1]);
   assign negative = sum[EdgeBits-1];
-  assign zero = sum == '0;
+  // The front comes counter-clockwise, which is D < 0 as rows go downward.
+  assign dropped = sum == '0 || (negative ? hs_formats_pkg::CullsFront != 0
+                                          : hs_formats_pkg::CullsBack != 0);
 
   hs_multiply_add #(
     .WideBits  (DeltaBits),
@@ -224,7 +228,7 @@ module hs_edge_setup #(
     .clk_i     (clk_i),
     .rst_ni    (rst_ni),
     .enable_i  (1'b1),
-    .flush_i   (state_q == Cross && step_q == 3'd4 && !negative),
+    .flush_i   (state_q == Cross && step_q == 3'd4 && (!negative || dropped)),
     .valid_i   (edges || (state_q == Cross && !step_q[2])),
     .keep_i    (second || (edges && step_q == 3'd0)),
     .shift_i   (1'b0),

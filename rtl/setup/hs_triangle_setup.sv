@@ -9,11 +9,11 @@
 // setup, and wait where they are until both streams have taken them.
 //
 // Interval: SetupInterval cycles, see setup_interval() in hls/formats/config.hpp, mostly those of
-// the division; 3 for an empty triangle, 7 if its box is not empty. Latency: at most 45 cycles
-// more. A triangle is taken after it was looked at: ready follows valid. Fork: setup and attributes
-// each stay until taken, and the next record waits for both. Attributes come when the division is
-// done, and not at all for an empty triangle, unless it is the last or all are asked for
-// (hs_visible_select). Fields of an empty record are 0.
+// the division; 3 for an empty triangle, 7 if its box is not empty or it is culled. Latency: at
+// most 45 cycles more. A triangle is taken after it was looked at: ready follows valid. Fork: setup
+// and attributes each stay until taken, and the next record waits for both. Attributes come when
+// the division is done, and not at all for an empty triangle, unless it is the last or all are
+// asked for (hs_visible_select). Fields of an empty record are 0.
 // LanesX and LanesY are powers of two.
 module hs_triangle_setup #(
   parameter int unsigned LanesX = 1,
@@ -27,7 +27,7 @@ module hs_triangle_setup #(
   // From geometry
   input  logic                        triangle_valid_i,
   output logic                        triangle_ready_o,
-  input  hs_formats_pkg::triangle_t   triangle_i,
+  input  hs_formats_pkg::numbered_t   triangle_i,
 
   // To raster_pineda
   output logic                        setup_valid_o,

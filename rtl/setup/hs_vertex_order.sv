@@ -10,8 +10,8 @@ module hs_vertex_order (
   input  logic                      clk_i,
   input  logic                      look_i,
   input  logic                      swap_i,
-  input  hs_formats_pkg::triangle_t triangle_i,
-  output hs_formats_pkg::triangle_t ordered_o,
+  input  hs_formats_pkg::numbered_t triangle_i,
+  output hs_formats_pkg::numbered_t ordered_o,
   output logic [2:0]                order_o  // {first: which vertex came to be vertex 0, swap_i}
 );
   localparam int unsigned CoordBits = hs_formats_pkg::CoordBits;

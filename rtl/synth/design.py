@@ -20,7 +20,7 @@ sys.set_int_max_str_digits(0)  # constants are as long as what a memory starts w
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 from units import CONFIG, LANES, below, constants, has, parameters  # noqa: E402
 
-UNITS = ("triangle_setup", "light_vertex", "shade_setup", "phong_setup", "texture_setup", "motion_setup",
+UNITS = ("index_pool", "triangle_setup", "light_vertex", "shade_setup", "phong_setup", "texture_setup", "motion_setup",
          "raster_pineda", "ztest_index", "ztest_plane", "scan_index", "shade_gouraud", "shade_phong", "shade_texture",
          "motion_field", "motion_compensate", "scan_object", "ztest_merge", "static_run")
 COMPOSITION = "composition"

@@ -71,14 +71,17 @@ void measure_snapping(const Config& config, const MeasureOptions& options, Bound
 
 }  // namespace
 
-BoundsReport measured_bounds(const Configuration& configuration, const MeasureOptions& options) {
-  const Config config = configuration.config();
-  if (up_converts(config)) {
+BoundsReport measured_bounds(const Configuration& asked, const MeasureOptions& options) {
+  if (up_converts(asked.config())) {
     throw ref::Error(
         fmt::format("configuration {} has the units of key frames and of frames in between: measure one "
                     "without frames_between, and one of shading = \"motion\" with its numbers",
-                    configuration.name()));
+                    asked.name()));
   }
+  // Culling drops triangles, and changes nothing of those that are drawn: both sides are measured.
+  Config config = asked.config();
+  config.cull = Cull::kNone;
+  const Configuration configuration(asked.name(), config);
   BoundsReport report = proved_bounds(config);
   measure_snapping(config, options, report.rows[kSnap]);
   measure_frames(configuration, options.seed, report);

@@ -55,8 +55,9 @@ ref::TriangleList Subject::triangles(const ref::View& view) const {
 }
 
 Subject::Drawn Subject::drawn(const Config& config, int width, int height, double shift_x, double shift_y) const {
-  const ref::View view{width, height, config.range_bits, config.subpixel_bits, shift_x, shift_y};
   const ref::RasterFormat format = raster_format(Configuration(config.name, config));
+  ref::View view = ref::frame_view(format, width, height);
+  view.shift_x = shift_x, view.shift_y = shift_y;
   const auto named = [&](ref::TriangleList list) {
     ref::SnappedList snapped = ref::snap(list, format, raster_formats());
     return Drawn{std::move(list), {"", std::move(snapped)}};
@@ -75,7 +76,7 @@ ref::Frame Subject::reference(const Config& config, const Drawn& drawn) const {
   const ref::SnappedList& list = drawn.frame.scene;
   if (!has_lighting(config) && !has_texture(config)) return ref::render(list);
   const std::shared_ptr<const ref::Scene> scene = has_texture(config) ? fitted(config) : scene_;
-  ref::Geometry geometry(*scene, {list.width, list.height, config.range_bits, config.subpixel_bits});
+  ref::Geometry geometry(*scene, ref::frame_view(list.format, list.width, list.height));
   ref::SnappedList lit = list;
   if (has_lighting(config) && !is_phong(config)) lit = ref::distantly_lit(list, geometry, most_squarings(config));
   ref::Frame frame = ref::render(lit);  // coverage, depth, and the colours where these are planes

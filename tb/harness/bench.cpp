@@ -3,6 +3,7 @@
 
 #include <cstdio>
 
+#include "tb/harness/plan.hpp"
 #include "tb/report/blame.hpp"
 
 namespace halfspace::tb {
@@ -226,7 +227,21 @@ void Bench::abandon(const std::string& note, Result* result) {
   note_life(result);
 }
 
+// What a model with index_pool says at its end of triangles that found no index, against the indices of the set.
+void Bench::check_none_left() {
+  const Port* const port = model_->find(kNoneLeft);
+  if (!port || !model_->constant("GivesIndices")) return;
+  const Stream* const given = vectors_->find(vectors_->find("numbered") ? "numbered" : "visible");
+  const Field& index = given->need("index", "the bench of index_pool");
+  bool expected = false;
+  for (std::size_t n = 0; n < given->words.size(); ++n) expected = expected || index.raw(given->words[n]) == 0;
+  if ((*port->bit() != 0) == expected) return;
+  failures_.push_back(std::string(kNoneLeft) + " is " + (expected ? "0, and a triangle" : "1, and no triangle") +
+                      " of the set is without an index");
+}
+
 void Bench::finish(Result* result) {
+  check_none_left();
   for (Receiver& receiver : receivers_) {
     receiver.finish();
     const Stream& stream = *vectors_->find(receiver.name());

@@ -123,6 +123,7 @@ class Bench {
   void note_streams();
   void tell_progress();
   std::string waiting() const;
+  void check_none_left();
 
   Model* model_;
   const Vectors* vectors_;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "tb/report/setup_work.hpp"
+
 namespace halfspace::tb {
 namespace {
 
@@ -47,11 +49,9 @@ bool may_follow(const Vectors& vectors, std::size_t a, std::size_t b) {
 Bound bound_of(const Vectors& vectors, const Model& model, int setup_interval, std::size_t first, std::size_t end) {
   Bound bound;
   if (const Stream* const setup = vectors.find("setup")) {
-    // An empty triangle takes three cycles at least.
-    const Field& empty = setup->need("empty", "the bound of cycles");
-    const Segment words = segment_of(*setup, first, end);
-    for (std::size_t n = words.begin; n < words.end; ++n) {
-      bound.setup += empty.raw(setup->words[n]) ? 3 : std::uint64_t(setup_interval);
+    for (std::size_t frame = first; frame < end; ++frame) {
+      const std::size_t begin = segment_of(*setup, frame).begin;
+      bound.setup += setup_work(vectors, setup->words, begin, frame, std::uint64_t(setup_interval)).cycles;
     }
   }
   if (const Stream* const scan = vectors.find("scan")) {
@@ -198,6 +198,10 @@ Result run_pipeline(Model* model, const Vectors& vectors, const Options& options
   const int setup_interval = options.setup_interval ? options.setup_interval : model->constant("SetupInterval");
   result.bound = bound_of(vectors, *model, setup_interval, vectors.frames.size() - 1, vectors.frames.size());
   result.rates = count_rates(vectors, last->counted, model->constant("Bilinear") ? 4 : 1);
+  if (const auto setup = last->counted.find("setup");
+      setup != last->counted.end() && (model->constant("CullsBack") || model->constant("CullsFront"))) {
+    result.rates.culled = setup_work(vectors, setup->second, 0, vectors.frames.size() - 1, 0).culled;
+  }
   const auto number = [&](const char* name) { return std::uint64_t(model->constant(name)); };
   result.accesses =
       count_accesses(vectors, last->counted, {number("MaxWidth"), number("MaxHeight"), number("Triangles")});

@@ -18,7 +18,7 @@ const Filled kFilled[] = {{"scan_index", "update"},
                           {"motion_field", "motion_planes"}};
 
 // Where a stage stands between two units, its stream goes into the port that the other one's goes into where there is
-// none: `attributes` behind visible_select, `pixel` before shade_texture.
+// none: `triangle` behind index_pool, `attributes` behind visible_select, `pixel` before shade_texture.
 std::string port_of(const Model& model, const Vectors& vectors, const std::string& stream, const char* between,
                     const char* without) {
   if (!vectors.find(between) || model.find(std::string(between) + "_valid_o")) return stream;
@@ -59,8 +59,8 @@ class Known {
 
  private:
   // The clock, and what each unit calls alike; tokens of scan_index are made by its bench.
-  std::set<std::string> names_{"clk_i",        "rst_ni",        "frame_width_i", "frame_height_i",
-                               "background_i", "start_valid_i", "start_ready_o", "start_clear_i"};
+  std::set<std::string> names_{"clk_i",         "rst_ni",        "frame_width_i", "frame_height_i", "background_i",
+                               "start_valid_i", "start_ready_o", "start_clear_i", kNoneLeft};
 };
 
 }  // namespace
@@ -85,7 +85,8 @@ Plan plan_of(const Model& model, const Vectors& vectors) {
     if (Memory::fits(model, *ports)) known.add_memory(*ports);
   }
   for (const Stream& stream : vectors.streams) {
-    const std::string in = port_of(model, vectors, stream.name, "visible_attributes", "attributes");
+    std::string in = port_of(model, vectors, stream.name, "visible_attributes", "attributes");
+    if (in == stream.name) in = port_of(model, vectors, in, "numbered", "triangle");
     if (model.find(in + "_valid_i")) {
       (model.find(in + "_ready_o") ? plan.takes : plan.loads).push_back({&stream, in});
       known.add_input(in);

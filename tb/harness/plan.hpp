@@ -26,6 +26,9 @@ inline const MemoryPorts kShadingDatabase{"read_planes_i", "read_en_o", "read_ba
 inline const MemoryPorts* const kMemories[] = {&kIndexBuffer, &kScannedIndexBuffer, &kDepthBuffer, &kVisibilityDatabase,
                                                &kShadingDatabase};
 
+// Of index_pool, and of the pipeline that has one: whether a triangle found no index.
+constexpr const char* kNoneLeft = "none_left_o";
+
 struct Plan {
   struct End {
     const Stream* stream;

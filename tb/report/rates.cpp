@@ -3,8 +3,8 @@
 
 namespace halfspace::tb {
 
-const char* const kCountedStreams[8] = {"visible", "stamp",   "update",         "scan",
-                                        "planes",  "colours", "texture_planes", "motion_planes"};
+const char* const kCountedStreams[9] = {"setup",  "visible", "stamp",          "update",       "scan",
+                                        "planes", "colours", "texture_planes", "motion_planes"};
 
 namespace {
 

@@ -13,6 +13,7 @@ namespace halfspace::tb {
 
 struct Rates {
   std::uint64_t triangles = 0, reduced_triangles = 0;  // done; with a fragment that passed the Z-test
+  std::uint64_t culled = 0;                            // see SetupWork
   std::uint64_t fragments = 0, reduced_fragments = 0;  // covered; that passed
   std::uint64_t visible_pixels = 0;                    // that show a triangle
   bool lights = false;
@@ -22,7 +23,7 @@ struct Rates {
 };
 
 // The streams that tell them, and what is read and written.
-extern const char* const kCountedStreams[8];
+extern const char* const kCountedStreams[9];
 // Of the words received, by stream; one that is not there counts nothing. A textured pixel takes `texels`.
 Rates count_rates(const Vectors& vectors, const std::map<std::string, Words>& received, int texels);
 

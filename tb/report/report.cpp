@@ -129,6 +129,7 @@ std::string json_report(const Vectors& vectors, const Options& options, const st
     if (result.unit == "pipeline") {
       run["rates"] = {{"triangles", result.rates.triangles},
                       {"reduced_triangles", result.rates.reduced_triangles},
+                      {"culled", result.rates.culled},
                       {"fragments", result.rates.fragments},
                       {"reduced_fragments", result.rates.reduced_fragments},
                       {"visible_pixels", result.rates.visible_pixels}};

@@ -13,7 +13,7 @@ class RandomConfigs {
  public:
   explicit RandomConfigs(std::uint64_t seed) : random_(seed) {}
 
-  // Without lighting, texture, motion or objects.
+  // Without lighting, texture, motion or objects; geometry culls, and gives the indices.
   Config plain() {
     return accepted([this](Config& c) {
       if (one_in(4)) c.depth_bits = c.depth_fraction = 0;
@@ -31,7 +31,12 @@ class RandomConfigs {
       case 4: return accepted([this](Config& c) { texture(c), objects(c); });
       case 5: return accepted([this](Config& c) { one_in(2) ? light(c) : phong(c), texture(c), gamma(c); });
       case 6: return accepted([this](Config& c) { motion(c); });
-      default: return accepted([this](Config& c) { c.object_bits = in(1, 22); });
+      default:
+        return accepted([this](Config& c) {
+          c.object_bits = in(1, 22);
+          c.cull = Cull(in(0, 2));
+          c.index_window = one_in(2) ? in(1, 64) : 0;
+        });
     }
   }
 

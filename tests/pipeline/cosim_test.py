@@ -53,7 +53,7 @@ def run_bench(program, folder, stall, seed):
     return text, runs
 
 
-COUNTED = ("triangles", "reduced_triangles", "fragments", "reduced_fragments", "visible_pixels")
+COUNTED = ("triangles", "reduced_triangles", "culled", "fragments", "reduced_fragments", "visible_pixels")
 ACCESSES = ("entry_bits", "read", "written", "bytes_read", "bytes_written")
 
 
@@ -90,6 +90,8 @@ def difference(args, one, options):
             return f"the accesses differ: {engine} {found['buffers']}, RTL {mine}"
         if whole and present(found["memory_bits"]) != one["memory_bits"]:
             return f"the memories differ: {engine} {found['memory_bits']}, RTL {one['memory_bits']}"
+        if whole and found["modelled_cycles"] and found["modelled_cycles"]["triangle_setup"] != one["bound"]["setup"]:
+            return f"the setup takes {one['bound']['setup']} cycles, by the model {found['modelled_cycles']}"
         if whole and args.stall == 0 and found["modelled_cycles"]:
             modelled, cycles = found["modelled_cycles"]["frame"], one["cycles"]
             print(f"{cycles} cycles a frame, {modelled} by the model: {modelled / cycles:.5f}")

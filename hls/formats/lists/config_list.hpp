@@ -81,5 +81,14 @@ HS_NUMBER(kObjects, object_bits, always, or_none(range(1, 22)), kObjectBits,
 HS_NUMBER(kFilm, frames_between, always, or_none(range(1, 9)), kFramesBetween,
           "frames that are made between two key frames, which are shaded; 0: none")
 
+HS_CHOICE(kCulling, cull, Cull,
+          "triangles that the setup drops: \"none\", \"back\": those seen from behind, or \"front\"",  //
+          "none", "back", "front")
+
+HS_NUMBER(
+    kIndices, index_window, always, or_none(range(1, 4096)), kIndexWindow,
+    "W: index_pool gives triangles their indices, and those of invisible ones again W triangles later; 0: geometry "
+    "does")
+
 #undef HS_NUMBER
 #undef HS_CHOICE

@@ -91,5 +91,7 @@ HS_CHANNEL(kMotion, difference, Difference, difference, Difference, relights, di
 HS_FORMAT(kObjects, object, Object, has_objects, "0: background, 1 … 2^object_bits − 1")
 HS_FORMAT(kObjects, object_count, ObjectCount, has_objects, "pixels of a frame")
 
+HS_FORMAT(kIndices, flight, Flight, gives_indices, "0 … index_window: triangles whose results are not known")
+
 #undef HS_FORMAT
 #undef HS_CHANNEL

@@ -32,6 +32,7 @@ HS_LIMIT(kRelight, "")
 HS_LIMIT(kSamples, "")
 HS_LIMIT(kObjectBits, ", or 0 for no objects")
 HS_LIMIT(kFramesBetween, ", or 0 for none")
+HS_LIMIT(kIndexWindow, ", or 0 where geometry gives the indices")  // a queue of as many results
 
 // A number of what is not there.
 HS_REFUSAL(
@@ -64,6 +65,9 @@ HS_REFUSAL(kFilmShading,
 HS_REFUSAL(kFilmSamples,
            "samples is 1 where frames_between is not 0: key frames of more samples would have to be averaged, and no "
            "unit does that")
+HS_REFUSAL(kFilmIndices,
+           "index_window is 0 where frames_between is not: what is filled is asked for by the indices that "
+           "geometry gave")
 HS_REFUSAL(kObjectsNeedDepth,
            "object_bits is 0 without a Z-buffer, with architecture \"gamma\", with shading \"motion\" and where "
            "frames_between is not 0: a merge compares the depths of a Z-buffer")

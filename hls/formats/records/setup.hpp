@@ -22,12 +22,26 @@ struct Triangle {
   template <class V>
   HS_INLINE constexpr void visit(V&& v) {
     v("last", last), v("index", index);
+    visit_vertices(v);
+  }
+  template <class V>
+  HS_INLINE constexpr void visit_vertices(V&& v) {
     if (F::kHasObjects) v("object", object);
     if (F::kUpConverts) v("face", face);
     v("x0", x[0]), v("x1", x[1]), v("x2", x[2]);
     v("y0", y[0]), v("y1", y[1]), v("y2", y[2]);
     if (F::kHasDepth) v("depth0", depth[0]), v("depth1", depth[1]), v("depth2", depth[2]);
     if (F::kHasColours) visit_colours<F>(v, r, g, b);
+  }
+};
+
+// The same without an index, with F::kGivesIndices: vertices → index_pool.
+template <class F>
+struct UnnumberedTriangle : Triangle<F> {
+  template <class V>
+  HS_INLINE constexpr void visit(V&& v) {
+    v("last", this->last);
+    this->visit_vertices(v);
   }
 };
 

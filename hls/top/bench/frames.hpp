@@ -16,12 +16,24 @@ using F = TopFormats;
 
 inline const char* shaded_attributes() { return F::kDeferred ? "visible_attributes" : "attributes"; }
 
+// Results that it has not read stay in the channel for the next frame.
+template <class B>
+void frame_of_index_pool(B& bench) {
+  static Port<Visible> visible;
+  Port<UnnumberedTriangle> triangle;
+  Port<Triangle> numbered;
+  bench.template send<UnnumberedTriangle<F>>("triangle", triangle);
+  bench.template send<Visible<F>>("visible", visible);
+  index_pool_top(triangle, visible, numbered);
+  bench.template expect<Triangle<F>>("numbered", numbered);
+}
+
 template <class B>
 void frame_of_triangle_setup(B& bench) {
   Port<Triangle> triangle;
   Port<Setup> setup;
   Port<Attributes> attributes;
-  bench.template send<Triangle<F>>("triangle", triangle);
+  bench.template send<Triangle<F>>(F::kGivesIndices ? "numbered" : "triangle", triangle);
   triangle_setup_top(bench.size().width, bench.size().height, triangle, setup, attributes);
   bench.template expect<Setup<F>>("setup", setup);
   bench.template expect<Attributes<F>>("attributes", attributes);

@@ -13,6 +13,7 @@ namespace halfspace {
 
 inline void triangle_process(Port<FrameWord>& frame, Port<Triangle>& triangle, Port<Setup>& setup,
                              Port<Attributes>& attributes) {
+  static_assert(!TopFormats::kGivesIndices, "no composed top has index_pool: results would run against the dataflow");
   const Frame<TopFormats> registers = read_frame(frame);
   View<Triangle> triangle_words(triangle);
   View<Setup> setup_words(setup);

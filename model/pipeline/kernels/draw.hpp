@@ -17,7 +17,7 @@
 
 namespace halfspace::model {
 
-// What a configuration may want of each triangle besides, and how their indices are given.
+// What a configuration may want of each triangle besides, and how their indices are given where index_pool does not.
 struct TriangleAnswers {
   std::vector<RawNormals> normals;
   std::vector<RawCoordinates> coordinates;
@@ -26,6 +26,12 @@ struct TriangleAnswers {
   std::vector<std::uint32_t> faces;    // none: all are of face 1
   std::uint32_t window = 0;            // of index reuse
 };
+
+// The rule by which triangles get their indices.
+template <class F>
+ref::IndexReuse index_rule(const TriangleAnswers& answers) {
+  return {F::kGivesIndices ? std::uint32_t(F::kIndexWindow) : answers.window, std::uint32_t(F::kTriangles)};
+}
 
 template <class F>
 Frame<F> frame_registers(const ref::SnappedList& scene) {
@@ -55,7 +61,7 @@ void check_objects(const std::vector<std::uint32_t>& objects, std::size_t triang
 template <class F>
 void check_frame(const ref::SnappedList& scene, const TriangleAnswers& answers, bool all, Pass pass) {
   const std::size_t count = scene.triangles.size();
-  const bool too_many = all && answers.window == 0 && count > std::size_t(F::kTriangles);
+  const bool too_many = all && index_rule<F>(answers).window == 0 && count > std::size_t(F::kTriangles);
   if (scene.width > F::kWidth || scene.height > F::kHeight || too_many) {
     throw ref::Error("a frame is larger than the configuration that is to draw it: snap it for that configuration");
   }
@@ -86,23 +92,46 @@ void answer(const Visible<F>& done, const TriangleAnswers& answers, std::size_t 
   if (F::kHasTexture) s.texture_coordinates.write(coordinates_record<F>(answers.coordinates[k], index, last));
 }
 
-// Draws all triangles into the buffers; else those that there are indices for. Returns how many.
+// As after a reset: a frame was left before its last triangle.
 template <class F>
-std::size_t draw(const ref::SnappedList& scene, const TriangleAnswers& answers, bool all, Streams<F>& streams,
+void reset_pool(Streams<F>& s, Buffers<F>& b) {
+  while (!s.returned.empty()) s.returned.read();
+  b.pool = PoolRegisters<F>{};
+}
+
+template <class F>
+void send_triangle(const Triangle<F>& t, Streams<F>& s) {
+  if (F::kGivesIndices) s.unnumbered.write(UnnumberedTriangle<F>{t});
+  else s.triangle.write(t);
+}
+
+// Which triangles of a frame are drawn: all, and an Error if indices run out; those as far as there are indices; or all
+// that index_pool finds one for.
+enum class Drawn { kAll, kFirst, kNumbered };
+
+// Into the buffers. Returns how many were sent.
+template <class F>
+std::size_t draw(const ref::SnappedList& scene, const TriangleAnswers& answers, Drawn which, Streams<F>& streams,
                  Buffers<F>& buffers, std::vector<bool>* visible, Pass pass = only_pass<F>()) {
-  check_frame<F>(scene, answers, all, pass);
+  check_frame<F>(scene, answers, which != Drawn::kFirst, pass);
   if (visible) visible->resize(scene.triangles.size());
   const Frame<F> registers = frame_registers<F>(scene);
   const std::size_t count = scene.triangles.size();
-  ref::IndexPool pool({answers.window, std::uint32_t(F::kTriangles)});
+  // Of index_pool it is the copy of a host, which knows the results as well.
+  ref::IndexPool pool(index_rule<F>(answers));
   for (std::size_t k = 0; k < std::max<std::size_t>(count, 1); ++k) {
-    if (!all && k < count && !pool.has_one()) return k;
+    if (which != Drawn::kNumbered && k < count && !pool.has_one()) {
+      reset_pool(streams, buffers);
+      if (which == Drawn::kFirst) return k;
+    }
     Triangle<F> t{};  // none at all, which ends a frame without triangles
-    if (k < count)
-      t = triangle_record<F>(scene.triangles[k], pool.take(), answers.objects.empty() ? 1 : answers.objects[k]);
+    if (k < count) {
+      const std::uint32_t index = which == Drawn::kNumbered && F::kGivesIndices ? pool.take_or_none() : pool.take();
+      t = triangle_record<F>(scene.triangles[k], index, answers.objects.empty() ? 1 : answers.objects[k]);
+    }
     if (F::kUpConverts && k < count) t.face = from_raw<typename F::Face>(answers.faces.empty() ? 1 : answers.faces[k]);
     t.last = from_raw<Bit>(k + 1 >= count);
-    streams.triangle.write(t);
+    send_triangle(t, streams);
     pipeline_triangle(registers, streams, buffers);
     const Visible<F> done = streams.visible.read();
     answer<F>(done, answers, k, pass, streams);

@@ -60,7 +60,7 @@ class FilmKernels {
     load(pass);
     FilmDrawn out;
     std::vector<bool> visible;
-    draw<F>(pass.frame.scene, answers, true, *streams_, *buffers_, &visible, pass.pass);
+    draw<F>(pass.frame.scene, answers, Drawn::kAll, *streams_, *buffers_, &visible, pass.pass);
     for (const bool is_visible : visible) out.answers += is_visible;
     scan(pass, out);
     if (pass.pass == Pass::kBetween) compensate(pass, config, out);

@@ -12,6 +12,10 @@ package hs_formats_pkg;
   localparam int unsigned MaxWidth = 1920;
   localparam int unsigned MaxHeight = 1080;
   localparam int unsigned Triangles = 262144;
+  localparam int unsigned CullsBack = 0;
+  localparam int unsigned CullsFront = 0;
+  localparam int unsigned GivesIndices = 0;
+  localparam int unsigned IndexWindow = 0;
   localparam int unsigned XBits = 11;
   localparam int unsigned YBits = 11;
   localparam int unsigned IndexBits = 19;
@@ -166,6 +170,29 @@ package hs_formats_pkg;
     logic [7:0] b1;
     logic [7:0] b2;
   } triangle_t;
+
+  typedef struct packed {
+    logic last;
+    logic [18:0] index;
+    logic signed [21:0] x0;
+    logic signed [21:0] x1;
+    logic signed [21:0] x2;
+    logic signed [21:0] y0;
+    logic signed [21:0] y1;
+    logic signed [21:0] y2;
+    logic [23:0] depth0;
+    logic [23:0] depth1;
+    logic [23:0] depth2;
+    logic [7:0] r0;
+    logic [7:0] r1;
+    logic [7:0] r2;
+    logic [7:0] g0;
+    logic [7:0] g1;
+    logic [7:0] g2;
+    logic [7:0] b0;
+    logic [7:0] b1;
+    logic [7:0] b2;
+  } numbered_t;
 
   typedef struct packed {
     logic last;
