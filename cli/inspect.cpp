@@ -203,13 +203,12 @@ void add_inspect(CLI::App& app, int&) {
   auto options = std::make_shared<InspectOptions>();
   CLI::App* command = app.add_subcommand("inspect", "a frame, its words and its co-simulation as one page to look at");
   command->footer(
-      "  halfspace vectors teapot --config low --no-corners --out v     or `make cosim`, or `make demo`\n"
-      "  halfspace inspect v -o report.html\n"
-      "Point at a pixel: what it shows in reference, kernels and RTL, and its words on every stream. Click it, or name "
-      "a\n"
-      "triangle: its setup, its stamps, and why it is seen or not. Of a co-simulation that was left in DIR besides: "
-      "what\n"
-      "is wrong, as places to jump to, and when streams moved and waited. One file, which needs no server.\n");
+      "Of a set that `halfspace vectors` wrote, or of what `make cosim` or `make demo` left. Point at a pixel: what "
+      "it\n"
+      "shows in reference, kernels and RTL, and its words on every stream. Click it, or name a triangle: its setup, "
+      "its\n"
+      "stamps, and why it is seen or not. Of a co-simulation besides: what is wrong, as places to jump to, and when\n"
+      "streams moved and waited. One file, which needs no server.\n");
   command->add_option("DIR", options->folder, "what `make demo`, `make cosim` or `halfspace vectors` left")->required();
   command->add_option("-o,--out", options->out, "the page, .html")->required();
   command->add_option("--frame", options->frame, "of the set, from 1 (default: the last one)")

@@ -120,6 +120,7 @@ int run(int argc, char** argv) {
       "  halfspace compare ref hls                                     what differs, and where first: then status 1\n"
       "  halfspace vectors teapot --config low --lanes 4 --out vectors  words for a test bench of your own\n"
       "  halfspace compare vectors vectors/stamp.hex --stream stamp     words of your own in the place of the file\n"
+      "  halfspace inspect vectors -o report.html                      its last frame, as a page to point at\n"
       "halfspace COMMAND --help tells the options of a command.\n");
   int status = 0;
   halfspace::cli::add_render(app, status);

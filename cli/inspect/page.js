@@ -300,6 +300,8 @@ function ready() {
   }
   $('triangle').onchange = e => showTriangle(Number(e.target.value));
   $('px').onchange = $('py').onchange = () => hold(Number($('px').value), Number($('py').value));
+  // Motion has no colours.
+  if (!colourStream) $('show-index').click();
   drawViews();
   showWrong();
   showTime();
