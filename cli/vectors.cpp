@@ -29,7 +29,7 @@ namespace halfspace::cli {
 namespace {
 
 // A film whose frames have holes, in a configuration that makes films.
-constexpr const char *kFilm = "film", *kFilmScene = "wheel_turn", *kFilmSize = "48x36";
+constexpr const char *kFilm = "film", *kFilmScene = "wheel_turn", *kFilmSize = "45x37";
 constexpr int kFilmFirst = 10;
 constexpr const char *kExtremes = "extremes", *kCompensationExtremes = "compensation_extremes",
                      *kMergeExtremes = "merge_extremes";

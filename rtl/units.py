@@ -13,18 +13,21 @@ CONFIG = re.compile(r"^// Number formats of configuration `([\w-]+)`", re.MULTIL
 # Configurations that have a unit, by the numbers of their package; the others of hls/units.txt are in every pipeline.
 GAMMA, PHONG, MOTION = ((lambda c: c["HasDepth"] and not c["StoresDepth"]), (lambda c: c["Phong"]),
                         (lambda c: c["HasMotion"]))
+FILM = lambda c: c["UpConverts"]  # noqa: E731
+SHADES = lambda c: not MOTION(c) or FILM(c)  # noqa: E731
 OBJECTS, TEXTURE = (lambda c: c["HasObjects"]), (lambda c: c["HasTexture"])
 INDICES = (lambda c: c["GivesIndices"])
 HAVE = {"index_pool": INDICES, "ztest_index": lambda c: not GAMMA(c), "ztest_plane": GAMMA,
         "visible_select": lambda c: c["Lights"] or TEXTURE(c) or MOTION(c),
-        "shade_setup": lambda c: not PHONG(c) and not MOTION(c),
-        "shade_gouraud": lambda c: not PHONG(c) and not MOTION(c),
+        "shade_setup": lambda c: not PHONG(c) and SHADES(c), "shade_gouraud": lambda c: not PHONG(c) and SHADES(c),
         "light_vertex": lambda c: c["Lights"] and not PHONG(c), "phong_setup": PHONG, "shade_phong": PHONG,
         "texture_setup": TEXTURE, "shade_texture": TEXTURE,
         "motion_setup": MOTION, "motion_field": MOTION, "motion_compensate": MOTION,
-        "scan_object": OBJECTS, "ztest_merge": OBJECTS, "static_run": OBJECTS, "static_frames": OBJECTS}
-# Not in the pipeline: memories lie between; and what it is a part of.
-BESIDE = ("motion_compensate", "ztest_merge", "static_run", "static_frames")
+        "pixel_store": FILM, "motion_order": FILM, "hole_find": FILM, "hole_scan": FILM, "film_scan": FILM,
+        "up_convert": FILM, "scan_object": OBJECTS, "ztest_merge": OBJECTS, "static_run": OBJECTS,
+        "static_frames": OBJECTS}
+# Not in the pipeline: memories lie between; what it is a part of; and what stands in its place where there are films.
+BESIDE = ("motion_compensate", "ztest_merge", "static_run", "static_frames", "up_convert")
 
 
 def units():

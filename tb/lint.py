@@ -14,7 +14,7 @@ import sys
 
 TB = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(TB.parent / "rtl"))
-from units import RTL, below, constants, has, parameters, sources, units  # noqa: E402
+from units import FILM, RTL, below, constants, has, parameters, sources, units  # noqa: E402
 
 CONFIGS = ["low", "middle", "high"]
 LANES = [1, 4, 16]
@@ -33,9 +33,12 @@ def lint(args, package, top, lanes):
 
 
 def tops_of(package, chosen):
-    """The chosen units that a configuration has; each has the pipeline, which has most of the others in it."""
+    """The chosen units that a configuration has; each has the pipeline, which has most of the others in it, or of a
+    film what stands in its place."""
     numbers = constants(package.read_text())
-    return [f"hs_{unit}" for unit in chosen if unit == "pipeline" or has(unit, numbers)]
+    whole = "up_convert" if FILM(numbers) else "pipeline"
+    return [f"hs_{whole if unit == 'pipeline' else unit}" for unit in chosen
+            if unit == "pipeline" or (has(unit, numbers) and unit != whole)]
 
 
 def lanes_of(module, package):

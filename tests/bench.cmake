@@ -104,6 +104,13 @@ function(halfspace_units_file config lanes)
   endforeach()
 endfunction()
 
+# halfspace_units_film(CONFIG LANES UNIT …): these units of one that makes films.
+function(halfspace_units_film config lanes)
+  foreach(unit IN LISTS ARGN)
+    halfspace_cosim_file(${unit} ${config} ${lanes} film)
+  endforeach()
+endfunction()
+
 # halfspace_lint(NAME UNITS unit … CONFIGS config …): lint.py with the packages of these configurations, a test for each
 # unit and one for the pipeline.
 function(halfspace_lint name)
@@ -124,11 +131,15 @@ function(halfspace_lint name)
   endforeach()
 endfunction()
 
-# halfspace_faults(NAME FAULTS CONFIG [SCENE scene] [LANES lanes] UNITS unit …): that the benches of these, with four
-# lanes, find each of tb/faults/FAULTS.txt; a test for each unit that has faults there, NAME_UNIT, or NAME if it is one
-# alone.
+# halfspace_faults(NAME FAULTS CONFIG [SCENE scene | WORDS script] [LANES lanes] [LONG] UNITS unit …): that the benches
+# of these, with four lanes, find each of tb/faults/FAULTS.txt, on a scene or on the words that a script makes; a test
+# for each unit that has faults there, NAME_UNIT, or NAME if it is one alone.
 function(halfspace_faults name faults config)
-  cmake_parse_arguments(PARSE_ARGV 3 F "" "SCENE;LANES" "UNITS")
+  cmake_parse_arguments(PARSE_ARGV 3 F "LONG" "SCENE;WORDS;LANES" "UNITS")
+  set(long "")
+  if(F_LONG)
+    set(long LONG)
+  endif()
   if(NOT F_LANES)
     set(F_LANES 4)
   endif()
@@ -147,12 +158,16 @@ function(halfspace_faults name faults config)
     if(number EQUAL 1)
       set(test ${name})
     endif()
-    halfspace_add_test(NAME ${test} WORLD cosim UNITS ${unit} SERIAL SECONDS 1800
+    set(from --halfspace $<TARGET_FILE:halfspace>)
+    if(F_WORDS)
+      set(from --words ${CMAKE_CURRENT_SOURCE_DIR}/${F_WORDS})
+    endif()
+    halfspace_add_test(NAME ${test} WORLD cosim UNITS ${unit} SERIAL SECONDS 1800 ${long}
       BUILDS halfspace halfspace_tb halfspace_verilated ${package_target}
       COMMAND $<TARGET_FILE:Python3::Interpreter> ${PROJECT_SOURCE_DIR}/tb/faults/run.py --units ${F_UNITS} --of ${unit}
         --faults ${file} --config ${config_of_${config}} --scene ${F_SCENE} --package ${package}
         --lanes ${F_LANES}
-        --halfspace $<TARGET_FILE:halfspace> --work ${CMAKE_CURRENT_BINARY_DIR}/${test} --jobs 2
+        ${from} --work ${CMAKE_CURRENT_BINARY_DIR}/${test} --jobs 2
         --library $<TARGET_FILE:halfspace_tb> --library $<TARGET_FILE:halfspace_verilated>
         --verilator ${HALFSPACE_VERILATOR} --cxx ${CMAKE_CXX_COMPILER})
   endforeach()

@@ -93,6 +93,11 @@ module hs_edge_setup #(
     assign unused_object = ^ordered.object;
   end
 
+  if (hs_formats_pkg::UpConverts != 0) begin : gen_face
+    logic unused_face;
+    assign unused_face = ^ordered.face;
+  end
+
   // Variables of their own: Yosys 0.23 forgets the sign of a field of a struct.
   assign x0 = ordered.x0;
   assign y0 = ordered.y0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A triangle with its vertices in order, after order_vertices() of hls/setup/triangle_setup.hpp:
 // vertex 0 is the topmost, of these the leftmost; 1 and 2 follow as they came, or, with swap_i, the
-// other way around. Depths and colours of vertices go with them; `last`, `index`, an object and a
-// flat colour go through.
+// other way around. Depths and colours of vertices go with them; `last`, `index`, an object, a
+// face and a flat colour go through.
 //
 // look_i finds vertex 0 of the triangle of that cycle; ordered_o is right from the next one on, as
 // long as the triangle stands. No stall.
@@ -75,6 +75,10 @@ module hs_vertex_order (
 
   if (hs_formats_pkg::HasObjects != 0) begin : gen_object
     assign ordered_o.object = triangle_i.object;
+  end
+
+  if (hs_formats_pkg::UpConverts != 0) begin : gen_face
+    assign ordered_o.face = triangle_i.face;
   end
 
   if (ColoursBits != 0) begin : gen_gouraud

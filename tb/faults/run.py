@@ -124,6 +124,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     vectors = parser.add_mutually_exclusive_group(required=True)
     vectors.add_argument("--vectors", type=pathlib.Path, help="a vector set of --config and --lanes")
+    vectors.add_argument("--words", type=pathlib.Path, help="a script that makes a set: SCRIPT PACKAGE OUT LANES")
     vectors.add_argument("--halfspace", type=pathlib.Path, help="the program, to make a set with")
     parser.add_argument("--work", type=pathlib.Path, required=True,
                         help="folder for the copies; what failed stays there")
@@ -150,6 +151,9 @@ def main():
             args.work.mkdir(parents=True, exist_ok=True)
             run([args.halfspace, "vectors", args.scene, "--config", args.config, "--lanes", args.lanes,
                  "--out", args.vectors], "halfspace vectors")
+        if args.words:
+            args.vectors = args.work / "vectors"
+            run([sys.executable, args.words, args.package, args.vectors, args.lanes], args.words)
     except Broken as e:
         print(f"faults: {e}", file=sys.stderr)
         return 2

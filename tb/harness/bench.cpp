@@ -86,6 +86,8 @@ void Bench::set_frame(const Frame& frame) {
     model_->set("frame_width_i", frame.width);
     model_->set("frame_height_i", frame.height);
   }
+  if (model_->find("fill_i")) model_->set("fill_i", frame.pass == "fill");
+  if (!frame.pass.empty() && model_->find("key_weight_i")) model_->set("key_weight_i", frame.weight);
   if (!model_->find("background_i")) return;
   const std::uint32_t* const rgb = frame.background;
   const int bits = model_->constant("ColourBits");

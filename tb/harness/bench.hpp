@@ -43,8 +43,15 @@ struct Bound {
   std::uint64_t cycles() const { return std::max({setup, stamps, pixels, merges}); }
 };
 
+// Of a film: cycles that its units take by their own rates, over all passes. One pass is under way at a time, so that
+// `passes` is what there is to reach: of each pass drawing, scan-out and the words of motion, one after the other.
+struct FilmBound {
+  std::uint64_t frames = 0, setup = 0, stamps = 0, shader = 0, motion = 0, film = 0, passes = 0;
+  std::uint64_t cycles() const { return std::max({setup, stamps, shader, motion, film}); }
+};
+
 struct Result {
-  std::string unit;  // or "pipeline"
+  std::string unit;  // or "pipeline", or "up_convert"
   std::vector<StreamResult> streams;
   // Sentences, of the unit that is wrong first and then `follows`, of those that only pass on what is wrong.
   std::vector<std::string> failures, follows;
@@ -58,6 +65,7 @@ struct Result {
   std::uint64_t simulated = 0;
   double seconds = 0, processor_seconds = 0;
   Bound bound;
+  FilmBound film;
   // Of the pipeline, the last frame's.
   Rates rates;
   std::vector<Accesses> accesses;

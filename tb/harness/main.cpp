@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program around one Verilated model: of a unit its bench, of hs_pipeline and hs_static_frames the co-simulation.
+// The program around one Verilated model: of a unit its bench, of hs_pipeline, hs_static_frames and hs_up_convert the
+// co-simulation.
 #include <algorithm>
 #include <cstdio>
 #include <set>
 
 #include "tb/composed/static_frames.hpp"
+#include "tb/film/between.hpp"
+#include "tb/film/film.hpp"
 #include "tb/harness/options.hpp"
 #include "tb/harness/pipeline.hpp"
 #include "tb/harness/units.hpp"
@@ -36,12 +39,14 @@ void check_model(const Model& model, const Vectors& vectors) {
 // The streams named, and those that tell the triangles of these.
 void load_streams(const std::set<std::string>& names, Vectors* vectors) {
   std::set<std::string> wanted = names;
+  if (wanted.erase("between") != 0) wanted.insert({"ordered", "compensated"});
   for (const Stream& stream : vectors->streams) {
     if (names.count(stream.name) != 0 && !stream.context.empty()) wanted.insert(stream.context);
   }
   for (Stream& stream : vectors->streams) {
     if (wanted.count(stream.name) != 0) load_words(vectors->directory, &stream);
   }
+  if (names.count("between") != 0) fill_between(vectors);
 }
 
 void report(const Vectors& vectors, const Options& options, const std::vector<Result>& results) {
@@ -73,7 +78,8 @@ Result run_sequence(Model* model, Vectors* vectors, const Options& options) {
   std::set<std::string> names;
   for (const Stream& stream : vectors->streams) names.insert(stream.name);
   load_streams(names, vectors);
-  const Result result = run_static_frames(model, *vectors, options);
+  const bool film = model->top() == "hs_up_convert";
+  const Result result = film ? run_film(model, *vectors, options) : run_static_frames(model, *vectors, options);
   if (!options.only_wave) print_result(*vectors, result);
   if (!options.only_wave) report(*vectors, options, {result});
   return result;
@@ -104,17 +110,18 @@ Start start_of(const Options& options, bool unit) {
 }
 
 int run(int argc, char** argv) {
-  const bool unit = model_top() != "hs_pipeline";
+  const bool unit = model_top() != "hs_pipeline" && model_top() != "hs_up_convert";
   const Options options = parse_options(argc, argv, model_top());
   if (options.json == "-") give_standard_output_to_files();
   Vectors vectors = load_manifest(options.vectors);
+  if (vectors.is_film()) add_between(&vectors);
   const std::unique_ptr<Model> model = make_model(options.seed, start_of(options, unit));
   check_model(*model, vectors);
   if (!options.only_wave)
     std::printf("%s, seed %llu, stall %d %%, %s\n", model->title().c_str(),
                 static_cast<unsigned long long>(options.seed), options.stall, options.vectors.c_str());
   const auto run = [&](Model* of) {
-    if (model_top() == "hs_static_frames") return run_sequence(of, &vectors, options);
+    if (model_top() == "hs_static_frames" || model_top() == "hs_up_convert") return run_sequence(of, &vectors, options);
     return unit ? run_bench(*of, &vectors, options) : run_cosim(of, &vectors, options);
   };
   const Result result = run(model.get());

@@ -16,13 +16,24 @@ const Filled kFilled[] = {{"scan_index", "update"},
                           {"shade_phong", "planes"},
                           {"shade_texture", "texture_planes"},
                           {"motion_field", "motion_planes"}};
+const Filled kKept[] = {{"hole_scan", "between"}, {"film_scan", "between"}, {"film_scan", "shown"}};
 
 // Where a stage stands between two units, its stream goes into the port that the other one's goes into where there is
-// none: `triangle` behind index_pool, `attributes` behind visible_select, `pixel` before shade_texture.
+// none: `triangle` behind index_pool, `attributes` behind visible_select, `scan` behind hole_scan, `pixel` before
+// shade_texture.
 std::string port_of(const Model& model, const Vectors& vectors, const std::string& stream, const char* between,
                     const char* without) {
-  if (!vectors.find(between) || model.find(std::string(between) + "_valid_o")) return stream;
-  return stream == between ? without : stream == without ? "" : stream;
+  const std::string name = between;
+  if (!vectors.find(name) || model.find(name + "_valid_o") || model.find(name + "_valid_i")) return stream;
+  return stream == name ? without : stream == without ? "" : stream;
+}
+
+// The port that a unit takes a stream at.
+std::string input_of(const Model& model, const Vectors& vectors, std::string stream) {
+  stream = port_of(model, vectors, stream, "visible_attributes", "attributes");
+  stream = port_of(model, vectors, stream, "numbered", "triangle");
+  stream = port_of(model, vectors, stream, "masked", "scan");
+  return port_of(model, vectors, stream, "ordered", "motion");
 }
 
 // Whether the unit has the ports of a stream that its configuration does not have.
@@ -58,9 +69,10 @@ class Known {
   }
 
  private:
-  // The clock, and what each unit calls alike; tokens of scan_index are made by its bench.
+  // The clock, and what each unit calls alike; tokens of scan_index and film_scan are made by their bench.
   std::set<std::string> names_{"clk_i",         "rst_ni",        "frame_width_i", "frame_height_i", "background_i",
-                               "start_valid_i", "start_ready_o", "start_clear_i", kNoneLeft};
+                               "start_valid_i", "start_ready_o", "start_clear_i", "show_valid_i",   "show_ready_o",
+                               "show_i",        "fill_i",        kNoneLeft};
 };
 
 }  // namespace
@@ -85,8 +97,7 @@ Plan plan_of(const Model& model, const Vectors& vectors) {
     if (Memory::fits(model, *ports)) known.add_memory(*ports);
   }
   for (const Stream& stream : vectors.streams) {
-    std::string in = port_of(model, vectors, stream.name, "visible_attributes", "attributes");
-    if (in == stream.name) in = port_of(model, vectors, in, "numbered", "triangle");
+    const std::string in = input_of(model, vectors, stream.name);
     if (model.find(in + "_valid_i")) {
       (model.find(in + "_ready_o") ? plan.takes : plan.loads).push_back({&stream, in});
       known.add_input(in);
@@ -104,6 +115,10 @@ Plan plan_of(const Model& model, const Vectors& vectors) {
   for (const Filled& filled : kFilled) {
     if (filled.unit == unit_of(model)) plan.fills = &need_stream(vectors, filled.stream);
   }
+  for (const Filled& kept : kKept) {
+    if (kept.unit == unit_of(model)) plan.keeps.push_back(&need_stream(vectors, kept.stream));
+  }
+  if (vectors.is_film()) known.add("key_weight_i");
   known.check(model, vectors);
   return plan;
 }

@@ -23,8 +23,18 @@ inline const MemoryPorts kVisibilityDatabase{"fetch_plane_i", "fetch_en_o", null
                                              "store_en_o",    nullptr,      "store_entry_o", "store_plane_o"};
 inline const MemoryPorts kShadingDatabase{"read_planes_i", "read_en_o", "read_bank_o", "read_entry_o",
                                           nullptr,         nullptr,     nullptr,       nullptr};
-inline const MemoryPorts* const kMemories[] = {&kIndexBuffer, &kScannedIndexBuffer, &kDepthBuffer, &kVisibilityDatabase,
-                                               &kShadingDatabase};
+// Of a film: a word a pixel of motion; a bit a lane; a word a block of pixels, two banks; a pixel.
+inline const MemoryPorts kMotionBuffer{"read_motion_i", "read_en_o", nullptr,           "read_address_o",
+                                       "write_en_o",    nullptr,     "write_address_o", "write_motion_o"};
+inline const MemoryPorts kHoleMarks{"read_marks_i", "read_en_o", nullptr,     "address_o",
+                                    "write_en_o",   nullptr,     "address_o", nullptr};
+inline const MemoryPorts kKeyFrames{"read_block_i", "key_read_en_o", "key_read_bank_o", "key_read_address_o",
+                                    nullptr,        nullptr,         nullptr,           nullptr};
+inline const MemoryPorts kFilmBuffer{"read_film_i",     "film_read_en_o", nullptr,          "film_address_o",
+                                     "film_write_en_o", nullptr,          "film_address_o", nullptr};
+inline const MemoryPorts* const kMemories[] = {&kIndexBuffer,        &kScannedIndexBuffer, &kDepthBuffer,
+                                               &kVisibilityDatabase, &kShadingDatabase,    &kMotionBuffer,
+                                               &kHoleMarks,          &kKeyFrames,          &kFilmBuffer};
 
 // Of index_pool, and of the pipeline that has one: whether a triangle found no index.
 constexpr const char* kNoneLeft = "none_left_o";
@@ -38,6 +48,7 @@ struct Plan {
   std::vector<End> loads;      // what it takes in any cycle, so that nothing else may be in flight: before a frame
   std::vector<End> registers;  // a word before a frame, which stays
   const Stream* fills = nullptr;
+  std::vector<const Stream*> keeps;  // of a film: what the passes before left in the memories that it reads
 
   std::vector<const Stream*> streams() const {
     std::vector<const Stream*> all;
@@ -45,6 +56,7 @@ struct Plan {
       for (const End& end : *list) all.push_back(end.stream);
     }
     if (fills) all.push_back(fills);
+    all.insert(all.end(), keeps.begin(), keeps.end());
     return all;
   }
 };

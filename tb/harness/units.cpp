@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "tb/film/kept.hpp"
 #include "tb/harness/plan.hpp"
 
 namespace halfspace::tb {
@@ -41,6 +42,15 @@ class UnitBench {
     shading_ = add(kShadingDatabase);
     add(kDepthBuffer);
     add(kVisibilityDatabase);
+    add(kMotionBuffer);
+    kept_ = Kept{add(kHoleMarks), add(kKeyFrames), add(kFilmBuffer)};
+    if (model->find("show_valid_i")) {
+      tokens_.name = "show";
+      const auto port = [&](const char* name, int bits) { return &model->need(name, bits); };
+      shows_ = &bench_.add_sender({port("show_i", 2), port("show_valid_i", 1), port("show_ready_o", 1)}, "show");
+      tokens_.words = Words(2);
+      for (std::uint32_t token = 0; token < 4; ++token) *tokens_.words.append() = token;
+    }
   }
 
   void run(Result* result) {
@@ -91,14 +101,20 @@ class UnitBench {
 
   void run_frames() {
     for (std::size_t frame = 0; frame < vectors_.frames.size(); ++frame) {
-      const bool stalls = options_.stall != 0;  // or each frame is measured alone
+      const bool stalls = options_.stall != 0 && stands_alone();  // or each frame is measured alone
       const bool follows = frame > 0 && stalls && draw(kFollow) && may_follow(frame);
       if (!(follows ? leave_one() : finish_frame()) || !begin_frame(frame, follows)) return;
-      if (!stalls || !draw(kRepeat)) continue;
+      if (!stalls || idles(frame) || !draw(kRepeat)) continue;
       repeated_.push_back(frame);
       if (!leave_one() || !begin_frame(frame, true)) return;
     }
     finish_frame();
+  }
+
+  // Of a film: what the unit finds is not of the pass before.
+  bool stands_alone() {
+    return !vectors_.is_film() ||
+           (!bench_.model().find("fill_i") && !bench_.model().find("key_weight_i") && shows_ == nullptr);
   }
 
   bool draw(unsigned share) { return random_.next() % kOf < share; }
@@ -129,6 +145,7 @@ class UnitBench {
   bool begin_frame(std::size_t frame, bool follows) {
     if (!follows) bench_.set_frame(vectors_.frames[frame]);
     // A frame finds its bank of the I-buffer empty; the other one keeps the frame before.
+    if (idles(frame)) return follows || prepare(frame);
     if (index_buffer_) index_buffer_->clear(int(begun_ % 2));
     ++begun_;
     if (follows) {
@@ -140,11 +157,20 @@ class UnitBench {
     return true;
   }
 
+  // A pass of a film in which the unit has nothing to do: it is the turn of others.
+  bool idles(std::size_t frame) const {
+    return vectors_.is_film() && std::all_of(plan_.sends.begin(), plan_.sends.end(),
+                                             [&](const Plan::End& end) { return end.stream->frame_words[frame] == 0; });
+  }
+
   void send_frame(std::size_t frame) {
     for (std::size_t i = 0; i < senders_.size(); ++i) senders_[i]->send(segment_of(*plan_.takes[i].stream, frame));
     for (std::size_t i = 0; i < receivers_.size(); ++i) {
       receivers_[i]->expect(segment_of(*plan_.sends[i].stream, frame));
     }
+    if (shows_ == nullptr) return;
+    for (const std::uint32_t token : kept_.shows(vectors_, frame))
+      shows_->send({&tokens_, token, token + 1, frame, ""});
   }
 
   // The scan itself, a second one that has to find the buffer cleared, and once a clear without a scan.
@@ -202,6 +228,7 @@ class UnitBench {
     }
     if (scanned_) fill_index_buffer(segment_of(*plan_.fills, frame));
     if (shading_) fill_shading_database(segment_of(*plan_.fills, frame));
+    kept_.prepare(bench_.model(), vectors_, frame);
     for (std::size_t i = 0; i < loaders_.size(); ++i) loaders_[i]->send(segment_of(*plan_.loads[i].stream, frame));
     const bool loaded = bench_.run([this] { return bench_.all_done(); }, options_.hang);
     bench_.idle(1);
@@ -256,12 +283,14 @@ class UnitBench {
   std::vector<Sender*> loaders_, senders_;
   std::vector<Receiver*> receivers_;
   Memory *index_buffer_ = nullptr, *scanned_ = nullptr, *shading_ = nullptr;
+  Kept kept_;
+  Sender* shows_ = nullptr;
   int shading_bank_ = 0;
   std::uint64_t cycles_ = 0;
   Random random_;
   std::size_t begun_ = 0;  // frames
   std::vector<std::size_t> repeated_;
-  Stream cleared_, tokens_;  // of run_scan; the bench points to them until its end
+  Stream cleared_, tokens_;  // of run_scan, or of shows_; the bench points to them until its end
 };
 
 }  // namespace

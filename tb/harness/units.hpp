@@ -18,6 +18,7 @@ std::vector<std::string> unit_streams(const Model& model, const Vectors& vectors
 // once, if the registers are the same, or are sent twice; the others end when all words were taken and seen, and a
 // pause catches words that are too many. Runs of ztest_merge follow each other at once. Without stalls each frame is
 // alone. Before that, a frame with all registers at 0 before the reset, one with all at 1, and one that a reset ends.
+// Of a film a pass in which the unit sends nothing is left out.
 Result run_unit(const Vectors& vectors, const Options& options);
 
 }  // namespace halfspace::tb

@@ -107,6 +107,14 @@ Stream read_stream(const Place& place, std::size_t frames) {
   return stream;
 }
 
+void read_pass(const Place& item, Frame* frame) {
+  frame->pass = item.at("pass").text();
+  if (frame->pass != "key" && frame->pass != "between" && frame->pass != "fill") {
+    item.at("pass").fail("is \"" + frame->pass + "\", and a pass is \"key\", \"between\" or \"fill\"");
+  }
+  if (frame->pass == "between") frame->weight = std::uint32_t(item.at("weight").integer(0, 1 << 20));
+}
+
 int hex_digit(char c) {
   if (c >= '0' && c <= '9') return c - '0';
   if (c >= 'a' && c <= 'f') return c - 'a' + 10;
@@ -189,6 +197,7 @@ Vectors load_manifest(const std::string& directory) {
     for (int i = 0; i < 3; ++i) frame.background[i] = std::uint32_t(background[i].integer(0, 255));
     if (item.has("triangles")) frame.has_triangles = item.at("triangles").integer(0, std::int64_t(1) << 32) != 0;
     if (item.has("note")) frame.note = item.at("note").text();
+    if (item.has("pass")) read_pass(item, &frame);
     vectors.frames.push_back(frame);
   }
   if (vectors.frames.empty()) top.at("frames").fail("is empty");

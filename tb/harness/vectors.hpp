@@ -50,6 +50,9 @@ struct Frame {
   std::uint32_t background[3] = {0, 0, 0};
   std::string note;
   bool has_triangles = true;
+  // Of a film, where a frame is a pass: "key", "between" or "fill"; and how much key 0 weighs in between.
+  std::string pass;
+  std::uint32_t weight = 0;
 };
 
 inline bool same_registers(const Frame& a, const Frame& b) {
@@ -66,6 +69,7 @@ struct Vectors {
   std::vector<Stream> streams;
 
   int lanes() const { return lanes_x * lanes_y; }
+  bool is_film() const { return !frames.front().pass.empty(); }
   const Stream* find(const std::string& name) const;
   // No frame has a triangle, so that what only triangles cause has no words.
   bool is_background() const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/report/describe.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -36,8 +37,9 @@ std::string pixel_text(const WordPlace& place, int lane) {
   const Field* const x = whole_number(*place.stream, "x");
   const Field* const y = whole_number(*place.stream, "y");
   if (x == nullptr || y == nullptr || x->count != 1 || y->count != 1) return "";
-  // A word of motion is of one pixel.
-  const bool of_stamp = place.stream->name != "motion";
+  // Of a stamp a word has an index, or colours in lanes; others are of one pixel.
+  const bool of_stamp = std::any_of(place.stream->fields.begin(), place.stream->fields.end(),
+                                    [](const Field& field) { return field.count > 1 || field.name == "mask"; });
   const int lanes_x = of_stamp ? place.vectors->lanes_x : 1, lanes_y = of_stamp ? place.vectors->lanes_y : 1;
   const std::uint32_t* const word = place.stream->words[place.word];
   const std::uint64_t left = x->raw(word) * unsigned(lanes_x), top = y->raw(word) * unsigned(lanes_y);

@@ -58,6 +58,19 @@ void print_bound(const Result& result) {
               double(result.cycles) / double(result.bound.cycles()));
 }
 
+// Only of a film.
+void print_film(const Result& result) {
+  const FilmBound& bound = result.film;
+  if (bound.frames == 0) return;
+  const auto number = [](std::uint64_t n) { return static_cast<unsigned long long>(n); };
+  std::printf(
+      "film of %llu frames: %.0f cycles each; bound %.0f (setup intervals %llu, covered stamps %llu, scan-out "
+      "%llu, motion %llu, film %llu), and %.0f a pass after the other: %.3f x\n",
+      number(bound.frames), double(result.cycles) / double(bound.frames), double(bound.cycles()) / double(bound.frames),
+      number(bound.setup), number(bound.stamps), number(bound.shader), number(bound.motion), number(bound.film),
+      double(bound.passes) / double(bound.frames), double(result.cycles) / double(bound.passes));
+}
+
 }  // namespace
 
 void print_result(const Vectors& vectors, const Result& result) {
@@ -75,6 +88,7 @@ void print_result(const Vectors& vectors, const Result& result) {
               static_cast<unsigned long long>(result.simulated), result.seconds, million / result.seconds,
               million / result.processor_seconds);
   print_bound(result);
+  print_film(result);
   const std::string missing = result.missing() == 0 ? "" : std::to_string(result.missing()) + " missing, ";
   std::printf("%s %s %s: %zu words on %zu streams compared, %zu mismatches, %s%llu cycles\n",
               pipeline ? "cosim" : ("bench " + result.unit).c_str(), vectors.scene.c_str(), vectors.config.c_str(),
@@ -119,6 +133,12 @@ std::string json_report(const Vectors& vectors, const Options& options, const st
     run["repeated"] = result.repeated;
     if (!result.timeline.rows().empty()) run["timeline"] = json_of(result.timeline);
     if (!result.frame_ends.empty()) run["frame_ends"] = result.frame_ends;
+    if (result.film.frames != 0) {
+      run["film"] = {{"frames", result.film.frames},   {"bound", result.film.cycles()},
+                     {"setup", result.film.setup},     {"covered_stamps", result.film.stamps},
+                     {"scan_out", result.film.shader}, {"motion", result.film.motion},
+                     {"film", result.film.film},       {"passes", result.film.passes}};
+    }
     if (result.bound.cycles() != 0) {
       run["bound"] = {{"cycles", result.bound.cycles()},
                       {"setup", result.bound.setup},

@@ -181,8 +181,10 @@ def main():
                 if why:
                     print(why)
                     return 1
-            if of_unit := UNIT_DIFFERENCES.get(one["unit"]):
-                why = of_unit(json.loads((folder / "manifest.json").read_text())["frames"], one, args.stall == 0)
+            frames = json.loads((folder / "manifest.json").read_text())["frames"]
+            of_unit = UNIT_DIFFERENCES.get(one["unit"])
+            if of_unit and "cycles" in frames[0]:  # not of a film
+                why = of_unit(frames, one, args.stall == 0)
                 if why:
                     print(why)
                     return 1
@@ -190,6 +192,7 @@ def main():
             if args.bound and not 0 < one["cycles"] <= args.bound * bound:
                 print(f"{one['cycles']} cycles a frame, more than {args.bound} times the bound of {bound}")
                 return 1
+        print("".join(line + "\n" for line in text.splitlines() if line.startswith("film of ")), end="")
         print(text.strip().splitlines()[-1] + f" (seed {seed})")
     print(f"{words} words equal under {args.seeds} seeds")
     shutil.rmtree(folder, ignore_errors=True)
