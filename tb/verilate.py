@@ -107,6 +107,8 @@ def verilate(package, top, lanes, out, rtl=RTL, verilator="verilator", yosys=Non
     found = ports(out / "Vmodel.h")
     found += watches(out / "Vmodel___024root.h", found)
     found += [f"HS_CONSTANT({name}, {value})\n" for name, value in numbers.items()]
+    if (out / "Vmodel_hs_mutant.h").exists():  # RTL that tb/mutation.py has written
+        found.append("HS_VARIABLE(mutant_i, __PVT__hs_mutant->number)\n")
     (out / "ports.inc").write_text("".join(found))
     lanes_x, lanes_y = LANES[lanes]
     again = traced_build(package, top, lanes, rtl, verilator, yosys, libraries, cxx)

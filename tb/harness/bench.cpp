@@ -39,7 +39,9 @@ Bench::Bench(Model* model, const Vectors* vectors, const Options* options, std::
       options_(options),
       name_(std::move(name)),
       life_(++lives),
-      clock_(model->need("clk_i", 1).bit()) {}
+      clock_(model->need("clk_i", 1).bit()) {
+  if (model->find("mutant_i")) model->set("mutant_i", options->mutant);
+}
 
 // Each unit has its own sequence for a stream; the pipeline has that of the stream's name alone.
 std::uint64_t Bench::seed_for(const std::string& part) const {

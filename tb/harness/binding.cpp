@@ -6,6 +6,9 @@
 
 #include "Vmodel.h"
 #include "Vmodel___024root.h"
+#if __has_include("Vmodel_hs_mutant.h")
+#include "Vmodel_hs_mutant.h"
+#endif
 #include "tb/harness/model.hpp"
 #include "title.inc"
 #ifdef HS_TRACED
@@ -31,7 +34,9 @@ class Binding final : public Model {
   add_watch(#stream, &top_->rootp->path##__DOT__valid_i, &top_->rootp->path##__DOT__ready_i, \
             &top_->rootp->path##__DOT__word_i, int(sizeof top_->rootp->path##__DOT__word_i), bits);
 #define HS_CONSTANT(name, value) add_constant(#name, value);
+#define HS_VARIABLE(name, path) add_port(#name, &top_->path, int(sizeof top_->path), 32, true);
 #include "ports.inc"
+#undef HS_VARIABLE
 #undef HS_CONSTANT
 #undef HS_WATCH
 #undef HS_PORT

@@ -52,8 +52,9 @@ Wires output_wires(const Model& model, const std::string& port, const Stream& st
 }
 
 Sender::Sender(const Wires& wires, std::string name, std::uint64_t seed, int stall_percent)
-    : wires_(wires), name_(std::move(name)), stall_(seed, stall_percent) {
+    : wires_(wires), name_(std::move(name)), stall_(seed, stall_percent), early_(~seed) {
   *wires_.valid->bit() = 0;
+  complement();
 }
 
 void Sender::send(Segment segment) {
@@ -86,9 +87,18 @@ void Sender::offer() {
   std::memcpy(wires_.data->data, segments_[current_].stream->words[position_], std::size_t(wires_.data->bytes));
 }
 
-// The data of no word: the complement of the last, so that a unit that looks at it without valid gives itself away.
+// The data of no word: the complement of the last, or the next one too early, so that a unit that looks at it without
+// valid gives itself away.
 void Sender::withdraw() {
   *wires_.valid->bit() = 0;
+  if (!done() && early_.next() % 2) {
+    std::memcpy(wires_.data->data, segments_[current_].stream->words[position_], std::size_t(wires_.data->bytes));
+    return;
+  }
+  complement();
+}
+
+void Sender::complement() {
   auto* const bytes = static_cast<std::uint8_t*>(wires_.data->data);
   for (int i = 0; i < wires_.data->bytes; ++i) {
     const int used = wires_.data->bits - 8 * i;

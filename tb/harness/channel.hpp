@@ -69,10 +69,12 @@ class Sender {
   void skip_empty();
   void offer();
   void withdraw();
+  void complement();
 
   Wires wires_;
   std::string name_;
   Stall stall_;
+  Random early_;
   std::vector<Segment> segments_;
   std::size_t current_ = 0, position_ = 0, words_ = 0, total_ = 0;
   bool offering_ = false;

@@ -39,6 +39,8 @@ Options parse_options(int argc, char** argv, const std::string& top) {
       ->check(CLI::Range(0, 90));
   app.add_option("--hang", options.hang, "Cycles without a word that count as a hang (default 20000)")
       ->check(CLI::Range(std::uint64_t(100), std::uint64_t(1) << 40));
+  app.add_option("--mutant", options.mutant,
+                 "Of a model that tb/mutation.py made: the fault to take (default 0: none)");
   app.add_option("--json", options.json, "Write the report to this file as well; - is standard output");
   app.add_option("--wave", options.wave,
                  "If it fails, repeat it with a model that writes waves, and write those around the first failure to "

@@ -13,6 +13,7 @@ struct Options {
   std::uint64_t seed = 1;      // of the stalls and of memories without a reset
   int stall = 0;               // percent of the cycles
   std::uint64_t hang = 20000;  // cycles without a word that count as a hang
+  std::uint32_t mutant = 0;    // of a model that has some (tb/mutation.py)
   std::string json;
   std::string wave;        // the waveform around the first failure goes here
   int around = 200;        // cycles before it and behind it

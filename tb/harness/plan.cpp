@@ -70,9 +70,9 @@ class Known {
 
  private:
   // The clock, and what each unit calls alike; tokens of scan_index and film_scan are made by their bench.
-  std::set<std::string> names_{"clk_i",         "rst_ni",        "frame_width_i", "frame_height_i", "background_i",
-                               "start_valid_i", "start_ready_o", "start_clear_i", "show_valid_i",   "show_ready_o",
-                               "show_i",        "fill_i",        kNoneLeft};
+  std::set<std::string> names_{"mutant_i",     "clk_i",         "rst_ni",        "frame_width_i", "frame_height_i",
+                               "background_i", "start_valid_i", "start_ready_o", "start_clear_i", "show_valid_i",
+                               "show_ready_o", "show_i",        "fill_i",        kNoneLeft};
 };
 
 }  // namespace
