@@ -43,7 +43,9 @@ std::vector<Cost> with_static_buffer(const model::KernelUpConversion& mode, cons
   converter.set_keys(first, second);
   std::vector<bool> moves = still;
   moves.flip();
+  const ref::TriangleList drawn = ref::project(between, view);
   const FrontEnd moving = front_end(mode.colour, ref::project(ref::without(between, still), view), options.lanes);
+  const model::KernelFrameBetween frame = converter.at(between, 0.4);
   const FrontEnd standing = front_end(mode.colour, ref::project(ref::without(between, moves), view), options.lanes);
   const double entry = colour.depth_bits + bits_for(still.size()) + 3 * colour.colour_bits;
   const double entries = double(view.width) * view.height * entry / 8 / picture_pixels;
@@ -53,7 +55,7 @@ std::vector<Cost> with_static_buffer(const model::KernelUpConversion& mode, cons
                           rendered(one ? "rendered, Phong, S-buffer" : "rendered, 4x4, Phong, S-buffer", moving,
                                    picture_pixels, false, options.lights),
                           made(one ? "made of key frames, S-buffer" : "made, 4x4 samples, S-buffer", moving,
-                               picture_pixels, converter.at(between, 0.4), with),
+                               holes_end(drawn, frame, with, options.lanes), picture_pixels, frame, with),
                           rendered(one ? "the S-buffer, once, Gouraud" : "the S-buffer, once, 4x4, Gouraud", standing,
                                    picture_pixels, false, 0)};
   for (Cost& cost : costs) {
@@ -97,16 +99,17 @@ void cost(const CostOptions& options) {
                {"rows", Json::array()}};
   fmt::print(
       "{} {}: a frame between two keys five apart, rendered and made of them; {} lanes, {} lights\n\n"
-      "{:<34} {:>10}  {:<18} {:>9} {:>9} {:>9} {:>9} {:>8} {:>8} {:>8}\n",
+      "{:<34} {:>10}  {:<18} {:>9} {:>9} {:>9} {:>9} {:>8} {:>8} {:>6} {:>7} {:>8}\n",
       options.scene, options.size, options.lanes, options.lights, "", "cycles", "slowest unit", "MUL/pixel", "B/pixel",
-      "of cycles", "triangles", "words", "tiles", "PSNR_Y");
+      "of cycles", "triangles", "words", "tiles", "again", "holes", "PSNR_Y");
   for (const int samples : {1, 4}) {
     const model::Configuration chosen = model::find_configuration(samples == 1 ? options.config : "high");
     const model::Configuration named = has_lighting(chosen.config()) ? model::unlit_configuration(chosen) : chosen;
     const int scale = samples;
     const ref::View view{size.width * scale, size.height * scale, named.config().range_bits,
                          named.config().subpixel_bits};
-    const FrontEnd front = front_end(named, ref::project(between, view), options.lanes);
+    const ref::TriangleList drawn = ref::project(between, view);
+    const FrontEnd front = front_end(named, drawn, options.lanes);
     if (front.pixels == 0)
       throw ref::Error(
           fmt::format("{}: nothing of it is in frame {}: choose another by --first", options.scene, options.first + 2));
@@ -117,8 +120,9 @@ void cost(const CostOptions& options) {
     const model::KernelUpConversion mode{size.width, size.height, named, motion};
     model::KernelUpConverter converter(mode);
     converter.set_keys(first, second);
-    const Cost up = made(samples == 1 ? "made of key frames" : "made, 4x4 samples", front, picture_pixels,
-                         converter.at(between, 0.4), mode);
+    const model::KernelFrameBetween frame = converter.at(between, 0.4);
+    const Cost up = made(samples == 1 ? "made of key frames" : "made, 4x4 samples", front,
+                         holes_end(drawn, frame, mode, options.lanes), picture_pixels, frame, mode);
     const bool one = samples == 1;
     std::vector<Cost> rows = {
         rendered(one ? "rendered, Gouraud" : "rendered, 4x4 samples, Gouraud", front, picture_pixels, false, 0),
@@ -133,8 +137,9 @@ void cost(const CostOptions& options) {
       const FrontEnd half_front = front_end(named, ref::project(between, half_view), options.lanes);
       model::KernelUpConverter half_converter(half);
       half_converter.set_keys(first, second);
-      rows.push_back(
-          made("made, a vector for 2x2 pixels", half_front, picture_pixels, half_converter.at(between, 0.4), half));
+      const model::KernelFrameBetween of_half = half_converter.at(between, 0.4);
+      rows.push_back(made("made, a vector for 2x2 pixels", half_front, holes_end(drawn, of_half, half, options.lanes),
+                          picture_pixels, of_half, half));
     }
     if (standing != 0) {
       const std::vector<Cost> with =
@@ -142,9 +147,9 @@ void cost(const CostOptions& options) {
       rows.insert(rows.end(), with.begin(), with.end());
     }
     for (const Cost& row : rows) {
-      fmt::print("{:<34} {:>10.0f}  {:<18} {:>9.1f} {:>9.1f} {:>8.0f}% {:>9} {:>8} {:>8} {:>8}\n", row.name, row.cycles,
-                 row.slowest, row.multiplications, row.bytes, 100 * up.cycles / row.cycles, row.triangles, row.words,
-                 row.tiles, row.psnr ? fmt::format("{:.2f}", *row.psnr) : "");
+      fmt::print("{:<34} {:>10.0f}  {:<18} {:>9.1f} {:>9.1f} {:>8.0f}% {:>9} {:>8} {:>8} {:>6} {:>7} {:>8}\n", row.name,
+                 row.cycles, row.slowest, row.multiplications, row.bytes, 100 * up.cycles / row.cycles, row.triangles,
+                 row.words, row.tiles, row.again, row.holes, row.psnr ? fmt::format("{:.2f}", *row.psnr) : "");
       json["rows"].push_back({{"name", row.name},
                               {"samples", samples},
                               {"made", row.made},
@@ -155,13 +160,17 @@ void cost(const CostOptions& options) {
                               {"made_of_this", up.cycles / row.cycles},
                               {"triangles", row.triangles},
                               {"motion_words", row.words},
-                              {"cache_misses", row.tiles}});
+                              {"cache_misses", row.tiles},
+                              {"triangles_again", row.again},
+                              {"hole_pixels", row.holes}});
       if (row.psnr) json["rows"].back()["psnr_y_db"] = *row.psnr;
     }
   }
   fmt::print(
       "\nA pixel is a covered one of the picture. Of cycles: those of the made frame, of this one's. Words are of "
-      "motion, tiles of key frames; dB of the made frame against the rendered one.\n");
+      "motion, tiles of key frames. Again: triangles that are drawn once more, and shaded at holes alone, pixels or "
+      "samples that no key shows; their cycles are in those of the units. dB of the made frame against the rendered "
+      "one.\n");
   if (standing == 0) {
     fmt::print(
         "No instance stands still in all three frames, or the view or a light changes: an S-buffer would be empty.\n");

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "model/motion/motion.hpp"
 #include "ref/geometry/viewpoint.hpp"
 #include "ref/motion/quality.hpp"
 
@@ -39,11 +40,14 @@ void take(Cost& cost, const char* unit, double cycles) {
 
 namespace {
 
-void take_front(Cost& cost, const FrontEnd& front) {
-  take(cost, "triangle_setup", double(front.cycles.triangle_setup));
-  take(cost, "plane setup", double(front.cycles.shade_setup));
-  take(cost, "raster_pineda", double(front.cycles.raster));
+// `again`, unless it is null, goes through the same units after that.
+void take_front(Cost& cost, const FrontEnd& front, const FrontEnd* again = nullptr) {
+  const auto both = [&](auto unit) { return double(front.cycles.*unit) + (again ? double(again->cycles.*unit) : 0); };
+  take(cost, "triangle_setup", both(&model::Cycles::triangle_setup));
+  take(cost, "plane setup", both(&model::Cycles::shade_setup));
+  take(cost, "raster_pineda", both(&model::Cycles::raster));
   cost.triangles = front.triangles;
+  cost.again = again ? again->triangles : 0;
 }
 
 }  // namespace
@@ -72,24 +76,42 @@ Cost rendered(const char* name, const FrontEnd& front, double picture_pixels, bo
   return cost;
 }
 
+FrontEnd holes_end(const ref::TriangleList& whole, const model::KernelFrameBetween& between,
+                   const model::KernelUpConversion& mode, int lanes) {
+  if (between.hole_faces.empty()) return {};
+  const Config motion = mode.motion.config();
+  ref::TriangleList asked{whole.width, whole.height, whole.background, {}, {}};
+  for (std::size_t k = 0; k < whole.triangles.size(); ++k) {
+    const std::uint32_t face = whole.face.empty() ? std::uint32_t(k + 1) : whole.face[k];
+    const auto number = std::uint32_t(model::face_number(face, motion));
+    if (!std::binary_search(between.hole_faces.begin(), between.hole_faces.end(), number)) continue;
+    asked.triangles.push_back(whole.triangles[k]);
+    asked.face.push_back(face);
+  }
+  return front_end(mode.colour, asked, lanes);
+}
+
 // A frame made of two keys. Multiplications: two a plane, three of perspective a key; of each key's filter three or,
-// bicubic, fifteen a channel; one a channel of the blend. A word of motion is written and read, tiles are fetched, the
-// picture is written. Half a field has a word for 2 × 2 pixels, from a front end of that size.
-Cost made(const char* name, const FrontEnd& front, double picture_pixels, const model::KernelFrameBetween& between,
-          const model::KernelUpConversion& mode) {
+// bicubic, fifteen a channel; one a channel of the blend; six of the Gouraud planes a hole. A word of motion is written
+// and read, tiles are fetched, the picture is written. Half a field has a word for 2 × 2 pixels, from a front end of
+// that size.
+Cost made(const char* name, const FrontEnd& front, const FrontEnd& holes, double picture_pixels,
+          const model::KernelFrameBetween& between, const model::KernelUpConversion& mode) {
   const model::Configuration& configuration = mode.motion;
   const Config motion = configuration.config();
   Cost cost{name, true};
   cost.psnr = ref::quality(between.colour, between.rendered, mode.width, mode.height).psnr_y;
   const double words = mode.half_field ? front.pixels : double(between.words);
-  take_front(cost, front);
+  take_front(cost, front, &holes);
+  take(cost, "scan_index", double(front.stamps + holes.stamps));
   take(cost, "motion_field", front.pixel_scan);
   take(cost, "motion_compensate", double(between.cycles));
   const double planes = (has_perspective(motion) ? 3 : 2) + (relights(motion) ? 3 : 0);
   const double filter = motion.filter == KeyFilter::kNearest ? 0 : motion.filter == KeyFilter::kBicubic ? 15 : 3;
-  cost.multiplications =
-      (words * 2 * (2 * planes + (has_perspective(motion) ? 3 : 0)) + double(between.words) * (2 * 3 * filter + 3)) /
-      picture_pixels;
+  cost.multiplications = (words * 2 * (2 * planes + (has_perspective(motion) ? 3 : 0)) +
+                          double(between.words) * (2 * 3 * filter + 3) + 6 * double(between.shares.filled)) /
+                         picture_pixels;
+  cost.holes = between.shares.filled;
   double word = 0;
   for (const model::Layout& layout : model::make_engine(configuration, 1)->layouts()) {
     if (layout.stream == "motion") word = layout.bits;
@@ -105,6 +127,7 @@ HalfField half_field(const ref::Scene& first, const ref::Scene& between, const r
                      int height, const model::Configuration& colour, int lanes) {
   const Config numbers = model::default_motion(colour.config(), &between);
   const model::Configuration motion = model::motion_configuration(colour, numbers, width, height);
+  const ref::View whole{width, height, colour.config().range_bits, colour.config().subpixel_bits};
   const auto cost = [&](bool half, double picture_pixels) {
     model::KernelUpConversion mode{width, height, colour, motion};
     mode.half_field = half;
@@ -113,10 +136,11 @@ HalfField half_field(const ref::Scene& first, const ref::Scene& between, const r
     const FrontEnd front = front_end(colour, ref::project(between, view), lanes);
     model::KernelUpConverter converter(mode);
     converter.set_keys(first, second);
+    const model::KernelFrameBetween frame = converter.at(between, 0.4);
     return made(half ? "a vector for 2x2 pixels" : "a vector a pixel", front,
-                picture_pixels > 0 ? picture_pixels : front.pixels, converter.at(between, 0.4), mode);
+                holes_end(ref::project(between, whole), frame, mode, lanes),
+                picture_pixels > 0 ? picture_pixels : front.pixels, frame, mode);
   };
-  const ref::View whole{width, height, colour.config().range_bits, colour.config().subpixel_bits};
   const double pixels = front_end(colour, ref::project(between, whole), lanes).pixels;
   return {cost(false, pixels), cost(true, pixels)};
 }
@@ -125,7 +149,7 @@ Table table_of(const HalfField& h, const std::string& scene) {
   Table table{"half", "", {{scene, h.whole.name, h.half.name, "saved"}}};
   const auto row = [&](const std::string& name, double whole, double half, int digits) {
     table.rows.push_back({name, fmt::format("{:.{}f}", whole, digits), fmt::format("{:.{}f}", half, digits),
-                          fmt::format("{:.0f} %", whole > 0 ? 100 * (1 - half / whole) : 0)});
+                          whole > 0 ? fmt::format("{:.0f} %", 100 * (1 - half / whole)) : ""});
   };
   for (std::size_t n = 0; n < h.whole.units.size(); ++n)
     row(fmt::format("{}, cycles", h.whole.units[n].first), h.whole.units[n].second, h.half.units[n].second, 0);
@@ -134,6 +158,8 @@ Table table_of(const HalfField& h, const std::string& scene) {
   row("their bytes, a pixel", h.whole.word_bytes, h.half.word_bytes, 1);
   row("bytes of keys, a pixel", h.whole.key_bytes, h.half.key_bytes, 1);
   row("all bytes, a pixel", h.whole.bytes, h.half.bytes, 1);
+  row("triangles drawn again", double(h.whole.again), double(h.half.again), 0);
+  row("pixels of holes", double(h.whole.holes), double(h.half.holes), 0);
   row("multiplications, a pixel", h.whole.multiplications, h.half.multiplications, 1);
   table.rows.push_back({"PSNR_Y, dB", fmt::format("{:.2f}", *h.whole.psnr), fmt::format("{:.2f}", *h.half.psnr),
                         fmt::format("{:.2f} lost", *h.whole.psnr - *h.half.psnr)});
@@ -149,6 +175,8 @@ Json to_json(const HalfField& h, const std::string& scene) {
                                                  {"slowest", cost->slowest},
                                                  {"units", units},
                                                  {"words", cost->words},
+                                                 {"triangles_again", cost->again},
+                                                 {"hole_pixels", cost->holes},
                                                  {"word_bytes_a_pixel", cost->word_bytes},
                                                  {"key_bytes_a_pixel", cost->key_bytes},
                                                  {"bytes_a_pixel", cost->bytes},

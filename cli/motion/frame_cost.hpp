@@ -25,6 +25,7 @@ struct Cost {
   double bytes = 0;                                     // likewise, to and from memory outside
   std::size_t triangles = 0;                            // handed to the pipeline
   std::size_t words = 0, tiles = 0;                     // of motion, and of keys
+  std::size_t again = 0, holes = 0;                     // triangles drawn again for holes, and pixels of these
   std::optional<double> psnr = std::nullopt;            // PSNR_Y against the rendered frame, of one that is made
   std::vector<std::pair<const char*, double>> units{};  // cycles of each
   double word_bytes = 0, key_bytes = 0;                 // a covered pixel, of bytes: of motion, of keys
@@ -44,9 +45,13 @@ void take(Cost&, const char* unit, double cycles);
 
 // A frame as it is rendered, samples squared times the pixels of the picture.
 Cost rendered(const char* name, const FrontEnd&, double picture_pixels, bool textured, int lights);
-// A frame made of two keys. Half a field has a word for 2 × 2 pixels, from a front end of that size.
-Cost made(const char* name, const FrontEnd&, double picture_pixels, const model::KernelFrameBetween&,
-          const model::KernelUpConversion&);
+// Of a whole frame, as the colours are drawn, the triangles that have holes: they are asked for and drawn once more,
+// and shaded at the holes.
+FrontEnd holes_end(const ref::TriangleList& whole, const model::KernelFrameBetween&, const model::KernelUpConversion&,
+                   int lanes);
+// A frame made of two keys, and its holes. Half a field has a word for 2 × 2 pixels, from a front end of that size.
+Cost made(const char* name, const FrontEnd& field, const FrontEnd& holes, double picture_pixels,
+          const model::KernelFrameBetween&, const model::KernelUpConversion&);
 
 // The middle frame between keys five apart, by a vector a pixel and by one for 2 × 2.
 struct HalfField {

@@ -173,11 +173,15 @@ std::vector<StageCycles> stages_of(const MorphingOptions& options, const std::st
   std::vector<StageCycles> frames;
   for (int n = 0; n <= kBetween; ++n) {
     const ref::Scene scene = at(n);
-    const FrontEnd front = front_end(colour, ref::project(scene, view), options.lanes);
+    const ref::TriangleList drawn = ref::project(scene, view);
+    const FrontEnd front = front_end(colour, drawn, options.lanes);
     StageCycles& stages = frames.emplace_back(StageCycles{});
     const auto stage = [&](Stage s) -> double& { return stages[std::size_t(s)]; };
-    const Cost cost = n == 0 ? rendered("", front, front.pixels, false, lights)
-                             : made("", front, front.pixels, converter.at(scene, double(n) / (kBetween + 1)), mode);
+    Cost cost = rendered("", front, front.pixels, false, lights);
+    if (n != 0) {
+      const model::KernelFrameBetween frame = converter.at(scene, double(n) / (kBetween + 1));
+      cost = made("", front, holes_end(drawn, frame, mode, options.lanes), front.pixels, frame, mode);
+    }
     for (const char* unit : {"triangle_setup", "plane setup", "raster_pineda"})
       stage(Stage::kTriangles) = std::max(stage(Stage::kTriangles), cycles_of(cost, unit));
     stage(Stage::kShading) = std::max(cycles_of(cost, "shade_gouraud"), cycles_of(cost, "shade_phong"));

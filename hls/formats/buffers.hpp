@@ -132,7 +132,7 @@ struct FaceTable {
 // faces and the pass that fills its holes.
 template <class F>
 struct HoleStamp {
-  using Lane = Bit;
+  using Lane = typename F::Bit;
   Lane lane[F::kLanes];
 
   Lane operator[](int l) const { return lane[l]; }

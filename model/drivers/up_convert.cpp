@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "model/motion/motion.hpp"
@@ -335,7 +336,7 @@ KernelFrameBetween KernelUpConverter::at(const ref::Scene& between, double a) {
   out.shares.background = colour.size() - out.words - out.shares.still;
   std::vector<std::uint8_t> keys(colour.size(), 0);
   std::vector<std::uint32_t> shows(colour.size(), 0);
-  for (const RawMotion& word : words) shows[std::size_t(word.y) * whole.width + word.x] = 1;
+  for (const RawMotion& word : words) shows[std::size_t(word.y) * whole.width + word.x] = word.face;
   const auto place = [&](int x, int y) { return std::size_t(y / finer_) * whole.width + x / finer_; };
   const auto compensate = [&](const CompensationInput& input) {
     const CompensatedFrame made = compensator_.run(input);
@@ -359,6 +360,11 @@ KernelFrameBetween KernelUpConverter::at(const ref::Scene& between, double a) {
     if (out.second_words != 0) compensate(again);
   }
   out.shares.filled = out.words - out.shares.blended - out.shares.copied;
+  std::set<std::uint32_t> holes;
+  for (std::size_t at = 0; at < keys.size(); ++at) {
+    if (keys[at] == 0 && shows[at] != 0) holes.insert(shows[at]);
+  }
+  out.hole_faces.assign(holes.begin(), holes.end());
   out.colour = ref::averaged(colour, whole.width, whole.height, samples_);
   out.of_keys = ref::made_of_keys(keys, shows, whole.width, whole.height, samples_, out.shares);
   return out;

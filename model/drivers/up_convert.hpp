@@ -63,6 +63,7 @@ struct KernelFrameBetween : ref::FrameBetween {
   std::size_t static_instances = 0;  // that the S-buffer shows; 0: the ordinary method
   std::size_t words = 0;         // of motion: pixels of the field that show a face, and that the S-buffer does not hide
   std::size_t second_words = 0;  // of these, sent once more for the second faces of key pixels
+  std::vector<std::uint32_t> hole_faces{};  // numbers of faces that have a pixel which no key shows, in rising order
   // Of both times that words are sent.
   std::array<std::size_t, 2> misses{};  // of each key's cache
   std::size_t cycles = 0;               // that hs_motion_compensate takes where nothing makes it wait

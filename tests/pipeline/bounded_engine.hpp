@@ -26,7 +26,7 @@ class BoundedEngine : public model::KernelEngine<F> {
   std::string report;
 
   ref::Frame render(const ref::SnappedList& scene) override {
-    model::check_frame<F>(scene, answers_, true);
+    model::check_frame<F>(scene, answers_, true, only_pass<F>());
     const Frame<F> registers = model::frame_registers<F>(scene);
     ref::Frame frame;
     frame.visible.resize(scene.triangles.size());
@@ -80,7 +80,7 @@ class BoundedEngine : public model::KernelEngine<F> {
       } else {
         const Visible<F> done = streams_->visible.read();
         if (heard < count) frame.visible[heard] = raw(done.visible) != 0;
-        model::answer<F>(done, answers_, heard++, *streams_);
+        model::answer<F>(done, answers_, heard++, only_pass<F>(), *streams_);
       }
     }
   }

@@ -102,7 +102,8 @@ void frame_of_motion_order(B& bench) {
   using F = TopFormats;
   static MemoryWord<Motion> buffer[frame_words<F>()], empty[frame_words<F>()];
   static bool begins = true;
-  for (int n = 0; begins && n < frame_words<F>(); ++n) buffer[n] = empty[n] = packed(Motion<F>{});
+  const Motion<F> none{};
+  for (int n = 0; begins && n < frame_words<F>(); ++n) buffer[n] = empty[n] = packed(none);
   begins = false;
   if (bench.template records<Motion<F>>("motion").empty()) return;
   Port<Motion> motion, ordered;
