@@ -55,7 +55,7 @@ constexpr int kTrianglesAhead = 512;
   X(coloured_scan, F::kHasTexture ? 32 : 4, "hs_shading ScanFifoDepth")                                         \
   X(texed_scan, 64, "hs_texture ScanFifoDepth")                                                                 \
   X(masked, 1, "")                                                                                              \
-  X(stored_scan, 64, "hs_up_convert ScanFifoDepth")                                                             \
+  X(stored_scan, 1, "")                                                                                         \
   X(lit, 1, "")                                                                                                 \
   X(shown_pixel, 1, "")                                                                                         \
   X(object_pixel, 1, "")                                                                                        \

@@ -22,7 +22,8 @@ from units import CONFIG, LANES, below, constants, has, parameters  # noqa: E402
 
 UNITS = ("index_pool", "triangle_setup", "light_vertex", "shade_setup", "phong_setup", "texture_setup", "motion_setup",
          "raster_pineda", "ztest_index", "ztest_plane", "scan_index", "shade_gouraud", "shade_phong", "shade_texture",
-         "motion_field", "motion_compensate", "scan_object", "ztest_merge", "static_run")
+         "motion_field", "motion_compensate", "hole_scan", "pixel_store", "motion_order", "hole_find", "film_scan",
+         "scan_object", "ztest_merge", "static_run")
 COMPOSITION = "composition"
 # Memories of the frame, which an FPGA may hold elsewhere: they are counted in bits, not mapped.
 BUFFERS = ("depth_buffer", "visibility_database", "shading_database", "texture_database", "motion_database",

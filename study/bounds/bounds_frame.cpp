@@ -43,7 +43,7 @@ struct Kept {
 };
 
 // The fragments of one frame in the order they were sent, tested one by one; then the indices that are scanned out.
-// Triangle k, of index k + 1, is of objects[k]; without objects there are none.
+// Triangle k is of objects[k]; without objects there are none.
 void replay(Engine& engine, const NamedFrame& frame, const std::vector<std::uint32_t>& objects, std::uint64_t number,
             BoundsReport& report) {
   std::map<std::string, Stream> streams;
@@ -103,6 +103,11 @@ void replay(Engine& engine, const NamedFrame& frame, const std::vector<std::uint
   }
   if (pixels != kept.size()) see(kScan, false, -1, -1);
   if (objects.empty()) return;
+  // An index that is given again is of the last triangle that has it: those before it were invisible.
+  std::map<std::uint32_t, std::uint32_t> object_of;
+  const Stream& numbered = streams["numbered"];
+  for (std::size_t k = 0; k < objects.size(); ++k)
+    object_of[numbered.size() != 0 ? numbered.get(k, "index") : std::uint32_t(k + 1)] = objects[k];
   const Stream& entry = streams["entry"];
   const std::uint32_t background = ref::full_depth(frame.scene.format.depth_bits);
   for (std::size_t n = 0; n < entry.size(); ++n) {
@@ -110,7 +115,7 @@ void replay(Engine& engine, const NamedFrame& frame, const std::vector<std::uint
       const auto [x, y] = pixel(entry, n, l);
       if (x >= width || y >= height) continue;
       const Kept& at = kept[std::size_t(y) * width + x];
-      const std::uint32_t object = at.index ? objects[at.index - 1] : 0, depth = at.index ? at.depth : background;
+      const std::uint32_t object = at.index ? object_of[at.index] : 0, depth = at.index ? at.depth : background;
       see(kEntry, entry.get(n, "object", l) == object && entry.get(n, "depth", l) == depth, x, y);
     }
   }

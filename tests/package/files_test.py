@@ -14,7 +14,7 @@ import yaml
 
 SOURCE, VERILATOR, YOSYS = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2], sys.argv[3]
 CONFIGS = ("low", "middle", "high")
-BESIDE = ("motion_compensate", "ztest_merge", "static_run", "static_frames")
+BESIDE = ("motion_compensate", "ztest_merge", "static_run", "static_frames", "up_convert")
 LANES = (4, 2)
 
 

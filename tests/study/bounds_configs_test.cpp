@@ -40,7 +40,9 @@ TEST(BoundsOfConfigurations, InFilesHold) {
   for (const auto& entry : std::filesystem::recursive_directory_iterator(HALFSPACE_SOURCE "/tests/configs")) {
     if (entry.path().extension() != ".toml") continue;
     SCOPED_TRACE(entry.path().filename().string());
-    const auto report = expect_holds(model::find_configuration(entry.path()), 12, 1);
+    const Configuration configuration = model::find_configuration(entry.path());
+    if (up_converts(configuration.config())) continue;  // key frames and frames in between are measured apart
+    const auto report = expect_holds(configuration, 12, 1);
     EXPECT_TRUE(report.rows[model::kShown].present());
     ++files;
   }

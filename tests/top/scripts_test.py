@@ -174,7 +174,8 @@ def main():
     tops = [row[0] for row in tools.rows]
     found = list(faults(tools, tops))
     table = tools.make("bambu", "table")
-    row = f"| {tops[0]} | low | 1 | {len(tops[0]) + 4} | – | 200 | 4 | 162 | 4 | 1091 | 3 |"
+    stem = pathlib.Path(tools.rows[0][2]).stem
+    row = f"| {tops[0]} | {stem} | 1 | {len(tops[0]) + 4} | – | 200 | 4 | 162 | 4 | 1091 | 3 |"
     if table.count("\n") != len(tops) + 2 or row not in table:
         found.append(f"bambu: the table has not a line a top, or not {row}:\n{table}")
     found += unnoticed(tools, "light_vertex")
