@@ -120,7 +120,7 @@ TEST(FeatureExtremesOfAny, KernelsAreWithinTheBounds) {
   RandomConfigs random(11);
   std::uint64_t judged = 0;
   for (int n = 0; n < 40; ++n) {
-    const Config config = random.next();
+    const Config config = that_draws_all(random.next());
     const Configuration configuration = configuration_of(config);
     SCOPED_TRACE(model::configuration_toml(configuration));
     const auto engine = model::make_engine(configuration, config.lanes);
