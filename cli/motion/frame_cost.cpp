@@ -40,14 +40,14 @@ void take(Cost& cost, const char* unit, double cycles) {
 
 namespace {
 
-// `again`, unless it is null, goes through the same units after that.
-void take_front(Cost& cost, const FrontEnd& front, const FrontEnd* again = nullptr) {
-  const auto both = [&](auto unit) { return double(front.cycles.*unit) + (again ? double(again->cycles.*unit) : 0); };
+// `again` goes through the same units after that.
+void take_front(Cost& cost, const FrontEnd& front, const FrontEnd& again = {}) {
+  const auto both = [&](auto unit) { return double(front.cycles.*unit) + double(again.cycles.*unit); };
   take(cost, "triangle_setup", both(&model::Cycles::triangle_setup));
   take(cost, "plane setup", both(&model::Cycles::shade_setup));
   take(cost, "raster_pineda", both(&model::Cycles::raster));
   cost.triangles = front.triangles;
-  cost.again = again ? again->triangles : 0;
+  cost.again = again.triangles;
 }
 
 }  // namespace
@@ -102,7 +102,7 @@ Cost made(const char* name, const FrontEnd& front, const FrontEnd& holes, double
   Cost cost{name, true};
   cost.psnr = ref::quality(between.colour, between.rendered, mode.width, mode.height).psnr_y;
   const double words = mode.half_field ? front.pixels : double(between.words);
-  take_front(cost, front, &holes);
+  take_front(cost, front, holes);
   take(cost, "scan_index", double(front.stamps + holes.stamps));
   take(cost, "motion_field", front.pixel_scan);
   take(cost, "motion_compensate", double(between.cycles));

@@ -17,12 +17,6 @@
 namespace halfspace::model {
 namespace {
 
-void clear(Config& config, Part part) {
-  for (const ConfigField& field : config_fields()) {
-    if (field.part == part) field.set(config, 0);
-  }
-}
-
 std::vector<std::uint32_t> numbers_of_faces(const std::vector<std::uint32_t>& faces, const Config& config) {
   std::vector<std::uint32_t> numbers;
   for (const std::uint32_t face : faces) numbers.push_back(std::uint32_t(face_number(face, config)));
@@ -57,15 +51,15 @@ FilmPass of_faces(const FilmPass& whole, const std::vector<std::uint32_t>& asked
 
 Configuration key_part(const Configuration& film) {
   Config c = film.config();
-  clear(c, Part::kFilm), clear(c, Part::kMotion);
-  if (!has_texture(c)) clear(c, Part::kCoordinates);
+  clear_part(c, Part::kFilm), clear_part(c, Part::kMotion);
+  if (!has_texture(c)) clear_part(c, Part::kCoordinates);
   if (!is_gouraud(c)) c.colour_fraction = 0;
   return Configuration("key_of_" + film.name(), c);
 }
 
 Configuration between_part(const Configuration& film) {
   Config c = film.config();
-  clear(c, Part::kFilm), clear(c, Part::kLighting), clear(c, Part::kTexture);
+  clear_part(c, Part::kFilm), clear_part(c, Part::kLighting), clear_part(c, Part::kTexture);
   c.shading = Shading::kMotion;
   if (!relights(c)) c.colour_fraction = 0;
   return Configuration("between_of_" + film.name(), c);

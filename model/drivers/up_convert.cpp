@@ -130,9 +130,7 @@ Configuration motion_configuration(const Configuration& colour, const Config& mo
 
 Configuration colour_configuration(const Configuration& motion) {
   Config c = motion.config();
-  for (const ConfigField& field : config_fields()) {
-    if (field.part == Part::kMotion || field.part == Part::kCoordinates) field.set(c, 0);
-  }
+  clear_part(c, Part::kMotion), clear_part(c, Part::kCoordinates);
   c.shading = Shading::kGouraud;
   c.colour_fraction = least_fraction(c, c.colour_bits);
   return Configuration("colour_of_" + motion.name(), c);
@@ -140,9 +138,7 @@ Configuration colour_configuration(const Configuration& motion) {
 
 Configuration unlit_configuration(const Configuration& lit) {
   Config c = lit.config();
-  for (const ConfigField& field : config_fields()) {
-    if (field.part == Part::kLighting) field.set(c, 0);
-  }
+  clear_part(c, Part::kLighting);
   c.shading = Shading::kGouraud;
   c.colour_fraction = least_fraction(c, c.colour_bits);
   return Configuration("unlit_" + lit.name(), c);

@@ -52,6 +52,12 @@ std::vector<ConfigField> numbers_of(Part part) {
   return numbers;
 }
 
+void clear_part(Config& c, Part part) {
+  for (const ConfigField& field : config_fields()) {
+    if (field.part == part) field.set(c, 0);
+  }
+}
+
 void set_choice(Config& c, const std::string& name, const std::string& word) {
   const ConfigField* field = find_field(name);
   if (!field) throw std::logic_error("there is no choice " + name);

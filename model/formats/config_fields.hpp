@@ -34,6 +34,8 @@ const ConfigField* find_field(const std::string& name);
 // The numbers of a part.
 std::vector<ConfigField> numbers_of(Part part);
 
+// Its fields to 0.
+void clear_part(Config&, Part);
 // Of a choice, to a word that it has.
 void set_choice(Config&, const std::string& name, const std::string& word);
 

@@ -2,21 +2,16 @@
 #include "tb/film/film.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <map>
 
+#include "tb/harness/pipeline.hpp"
 #include "tb/harness/plan.hpp"
 
 namespace halfspace::tb {
 namespace {
 
 constexpr int kPause = 64;
-// After reset the I-buffer is cleared, in the smallest stamps two million words a bank.
-constexpr std::uint64_t kResetPatience = 10'000'000;
 constexpr const char* kPurpose = "the bench of a film";
-
-bool is_loaded(const Stream& stream) { return stream.from == "host"; }
-bool is_answer(const Stream& stream) { return stream.from == "geometry" && stream.name != "triangle"; }
 
 // A word of `visible` that says so allows a word of each stream that the pass answers with.
 class Geometry {
@@ -49,17 +44,9 @@ class Loaded {
   // Whether a pass loads other words than there are.
   bool differs(const std::vector<const Stream*>& streams, std::size_t pass) const {
     return std::any_of(streams.begin(), streams.end(), [&](const Stream* stream) {
-      const auto [begin, end] = range(*stream, pass);
-      if (begin == end) return false;
+      if (stream->frame_words[pass] == 0) return false;
       const auto had = last_.find(stream);
-      if (had == last_.end()) return true;
-      const auto [old_begin, old_end] = range(*stream, had->second);
-      if (end - begin != old_end - old_begin) return true;
-      for (std::size_t n = 0; n < end - begin; ++n) {
-        if (std::memcmp(stream->words[begin + n], stream->words[old_begin + n], stream->words.parts() * 4) != 0)
-          return true;
-      }
-      return false;
+      return had == last_.end() || !same_words(*stream, had->second, pass);
     });
   }
   void set(const std::vector<const Stream*>& streams, std::size_t pass) {
@@ -69,54 +56,34 @@ class Loaded {
   }
 
  private:
-  static std::pair<std::size_t, std::size_t> range(const Stream& stream, std::size_t pass) {
-    const Segment words = segment_of(stream, pass);
-    return {words.begin, words.end};
-  }
   std::map<const Stream*, std::size_t> last_;
 };
 
-// Words of a pass whose field is not 0 in a lane; all words if there is no such field.
-std::uint64_t count(const Stream& stream, std::size_t pass, const Field* field) {
-  const Segment words = segment_of(stream, pass);
-  if (field == nullptr) return words.end - words.begin;
+// Frames that come out in a pass.
+std::uint64_t frames_of(const Stream& film, std::size_t pass) {
+  const Field& last = film.need("last", kPurpose);
+  const Segment words = segment_of(film, pass);
   std::uint64_t n = 0;
-  for (std::size_t at = words.begin; at < words.end; ++at) {
-    bool any = false;
-    for (int lane = 0; lane < field->count; ++lane) any = any || field->raw(stream.words[at], lane) != 0;
-    n += any;
-  }
+  for (std::size_t at = words.begin; at < words.end; ++at) n += last.raw(film.words[at]) != 0;
   return n;
 }
 
 // What a pass takes by the rates of its units.
 void add_pass(const Vectors& vectors, const Model& model, std::size_t pass, FilmBound* bound) {
-  const Stream &setup = need_stream(vectors, "setup"), &stamp = need_stream(vectors, "stamp"),
-               &masked = need_stream(vectors, "masked");
-  const std::uint64_t empty = count(setup, pass, &setup.need("empty", kPurpose));
-  const std::uint64_t setups =
-      3 * empty + (setup.frame_words[pass] - empty) * std::uint64_t(model.constant("SetupInterval"));
-  const std::uint64_t stamps = count(stamp, pass, &stamp.need("mask", kPurpose));
-  // Shaders that take a pixel after the other, and the lights of each; of background one of a stamp.
+  const Bound drawn = bound_of(vectors, model, model.constant("SetupInterval"), pass, pass + 1);
+  // The lights of each pixel.
   const bool between = vectors.frames[pass].pass == "between";
   const std::uint64_t turns = between                        ? 1
                               : model.constant("Phong")      ? std::uint64_t(model.constant("Lights"))
                               : model.constant("HasTexture") ? 1
                                                              : 0;
-  const Field& index = masked.need("index", kPurpose);
-  const Segment words = segment_of(masked, pass);
-  std::uint64_t serial = 0;
-  for (std::size_t n = words.begin; n < words.end && turns != 0; ++n) {
-    std::uint64_t covered = 0;
-    for (int lane = 0; lane < index.count; ++lane) covered += index.raw(masked.words[n], lane) != 0;
-    serial += std::max<std::uint64_t>(covered, 1) * turns;
-  }
+  const std::uint64_t serial = serial_pixels(need_stream(vectors, "masked"), pass, pass + 1, turns);
   const std::uint64_t scans = need_stream(vectors, "scan").frame_words[pass];
   const std::uint64_t shown = std::max({scans, serial, std::uint64_t(need_stream(vectors, "shown").frame_words[pass])});
   const std::uint64_t motion = need_stream(vectors, "ordered").frame_words[pass];
-  bound->setup += setups, bound->stamps += stamps, bound->shader += shown, bound->motion += motion;
-  bound->passes += std::max(setups, stamps) + shown + motion;
-  bound->frames += count(need_stream(vectors, "film"), pass, &need_stream(vectors, "film").need("last", kPurpose));
+  bound->setup += drawn.setup, bound->stamps += drawn.stamps, bound->shader += shown, bound->motion += motion;
+  bound->passes += std::max(drawn.setup, drawn.stamps) + shown + motion;
+  bound->frames += frames_of(need_stream(vectors, "film"), pass);
   bound->film += need_stream(vectors, "film").frame_words[pass];
 }
 

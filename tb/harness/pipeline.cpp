@@ -46,6 +46,18 @@ bool may_follow(const Vectors& vectors, std::size_t a, std::size_t b) {
                      [&](const Stream& stream) { return !is_loaded(stream) || same_words(stream, a, b); });
 }
 
+std::uint64_t serial_pixels(const Stream& scan, std::size_t first, std::size_t end, std::uint64_t turns) {
+  const Field& index = scan.need("index", "the bound of cycles");
+  const Segment words = segment_of(scan, first, end);
+  std::uint64_t serial = 0;
+  for (std::size_t n = words.begin; n < words.end && turns != 0; ++n) {
+    std::uint64_t covered = 0;
+    for (int lane = 0; lane < index.count; ++lane) covered += index.raw(scan.words[n], lane) != 0;
+    serial += std::max<std::uint64_t>(covered, 1) * turns;
+  }
+  return serial;
+}
+
 Bound bound_of(const Vectors& vectors, const Model& model, int setup_interval, std::size_t first, std::size_t end) {
   Bound bound;
   if (const Stream* const setup = vectors.find("setup")) {
@@ -56,19 +68,11 @@ Bound bound_of(const Vectors& vectors, const Model& model, int setup_interval, s
   }
   if (const Stream* const scan = vectors.find("scan")) {
     for (std::size_t frame = first; frame < end; ++frame) bound.pixels += scan->frame_words[frame];
-    // Shaders that take a pixel after the other, and the lights of each; of background one of a stamp.
+    // The lights of each pixel.
     const int turns = model.constant("Phong")                                       ? model.constant("Lights")
                       : model.constant("HasTexture") || model.constant("HasMotion") ? 1
                                                                                     : 0;
-    const Field& index = scan->need("index", "the bound of cycles");
-    const Segment words = segment_of(*scan, first, end);
-    std::uint64_t serial = 0;
-    for (std::size_t n = words.begin; n < words.end && turns != 0; ++n) {
-      std::uint64_t covered = 0;
-      for (int lane = 0; lane < index.count; ++lane) covered += index.raw(scan->words[n], lane) != 0;
-      serial += std::max<std::uint64_t>(covered, 1) * std::uint64_t(turns);
-    }
-    bound.pixels = std::max(bound.pixels, serial);
+    bound.pixels = std::max(bound.pixels, serial_pixels(*scan, first, end, std::uint64_t(turns)));
   }
   if (const Stream* const stamp = vectors.find("stamp")) {
     const Field& mask = stamp->need("mask", "the bound of cycles");

@@ -23,6 +23,9 @@ bool is_answer(const Stream& stream);
 bool may_follow(const Vectors& vectors, std::size_t a, std::size_t b);
 // After reset the pipeline clears its I-buffer, in the smallest stamps two million words a bank.
 constexpr std::uint64_t kResetPatience = 10'000'000;
+// Cycles of a shader that takes a pixel after the other, `turns` of each, and of background one of a stamp: for the
+// words of frames [first, end) of `scan`, or of `masked`.
+std::uint64_t serial_pixels(const Stream& scan, std::size_t first, std::size_t end, std::uint64_t turns);
 // Of frames [first, end).
 Bound bound_of(const Vectors& vectors, const Model& model, int setup_interval, std::size_t first, std::size_t end);
 
