@@ -14,6 +14,8 @@ SOURCE = f"package {PACKAGE};\n  int unsigned number /*verilator public_flat_rw*
 SWAPS = {"&&": "||", "||": "&&", "==": "!=", "!=": "==", "<": "<=", "<=": "<", ">": ">=", ">=": ">", "+": "-", "-": "+",
          "&": "|", "|": "&", "^": "|", "<<": ">>", ">>": "<<", "!": "", "~": "", "1'b0": "1'b1", "1'b1": "1'b0",
          "'0": "'1", "'1": "'0"}
+# How often something is repeated: a change would be one of the width, in the run of number 0 as well.
+COUNT = re.compile(r"\{\s*(\([^(){}]*\))\s*\{")
 TOKEN = re.compile(r"\d*'[bdh]?[0-9a-fA-F]+|[A-Za-z_$]\w*|\d+|<<<|>>>|<<|>>|&&|\|\||[=!<>]=|\+:|-:|\S")
 
 
@@ -99,7 +101,8 @@ class Reader:
     def read(self):
         for match in re.finditer(r"\balways_(ff|comb)\b|\bassign\b|\.\w+_i\s*\(", self.text):
             if match[0] == "assign":
-                self.assignment(match.end(), False)
+                if not re.match(r"\s*unused_", self.text[match.end():]):  # which nothing takes
+                    self.assignment(match.end(), False)
             elif match[1]:
                 at = closed(self.text, self.text.index("(", match.end())) if match[1] == "ff" else match.end()
                 self.statement(at, match[1] == "ff")
@@ -130,9 +133,12 @@ def split(text, operator):
 def changes(text, whole):
     """What an expression can become: (what, text)."""
     names = set(re.findall(r"\b\w+_q\d*\b", whole))
+    counts = [match.span(1) for match in COUNT.finditer(text)]
     depth = 0
     for token in TOKEN.finditer(text):
         word, begin, end = token[0], token.start(), token.end()
+        if any(first <= begin < last for first, last in counts):
+            continue
         depth += (word == "[") - (word == "]")
         before = text[:begin].rstrip()
         if depth:
@@ -160,7 +166,7 @@ def changes(text, whole):
     for operator in ("&&", "||"):
         for begin, end in split(text, operator):
             neutral = " 1 " if operator == "&&" else " 0 "
-            yield f"without {text[begin:end].strip()}", text[:begin] + neutral + text[end:]
+            yield f"without {' '.join(text[begin:end].split())}", text[:begin] + neutral + text[end:]
 
 
 def mutants(text):

@@ -1,14 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""How many single faults in the RTL a bench finds, by random ones from a seed.
+"""How many single faults in the RTL the benches find, by random ones from a seed.
 
-All mutants of the modules below a unit stand in one copy and are chosen by a number at run time (mutants.py), so that
-one Verilated model serves all of them. Each is run under three seeds and without stalls, until one reports it: what is
-right and takes more cycles than the RTL itself is found as well. A line tells of each how it was found, or that it
-survived; one that is equivalent stands with its reason in --reasons, as `FILE | WHAT | TEXT OF THE LINE | REASON`."""
+faults/benches.list tells which modules are looked at by which unit, in which configurations. All mutants of the modules
+of a unit stand in one copy and are chosen by a number at run time (mutants.py), so that one Verilated model serves all
+of them. Each is run under three seeds and without stalls, in each configuration that has it, until one reports it: what
+is right and takes more cycles than the RTL itself is found as well. A line tells of each how it was found, or that it
+survived. One that is equivalent stands with its reason in --reasons: `FILE | WHAT | TEXT OF THE LINE | REASON`."""
 
 import argparse
 import concurrent.futures
+import os
 import pathlib
 import random
 import re
@@ -19,112 +21,205 @@ import sys
 TB = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(TB))
 import mutants  # noqa: E402
-from model import LANES, Broken, build, run  # noqa: E402
-from units import RTL, below  # noqa: E402
+from model import Broken, build, run  # noqa: E402
+from units import RTL, below, sources  # noqa: E402
 
 RUNS = ((1, 35), (2, 35), (3, 75), (1, 0))  # seed, stall
-LAST = re.compile(r"compared, (\d+) mismatches, (\d+) cycles$", re.MULTILINE)
+LAST = re.compile(r"compared, (\d+) mismatches, (?:(\d+) missing, )?(\d+) cycles$", re.MULTILINE)
 FAIL = re.compile(r"^FAIL \w+: (.*)$", re.MULTILINE)
+# Where a model asks for the number: of those that it does not ask for it has no code.
+ASKS = re.compile(r"(0x[0-9a-f]+|\d+)U\s*[=!]=\s*vlSymsp->\w*hs_mutant(?:\.|->)number")
 
 
-def chosen_of(files, count, seed):
-    """{number: (path, mutant)}, in the order of the files."""
-    every = [(path, mutant) for path in files for mutant in mutants.mutants(path.read_text())]
-    some = random.Random(seed).sample(range(len(every)), min(count, len(every)))
-    return {number: every[at] for number, at in enumerate(sorted(some), 1)}, len(every)
-
-
-def write_mutants(files, chosen):
-    for path in files:
-        mine = {number: mutant for number, (where, mutant) in chosen.items() if where == path}
-        if mine:
-            path.write_text(mutants.applied(path.read_text(), mine))
-    # Read before all others: the file that stands first in the alphabet.
-    first = min(files, key=lambda path: path.stem)
-    first.write_text(mutants.SOURCE + first.read_text())
-
-
-def try_bench(args, number, seed, stall):
-    """(cycles, what is wrong or '') of a run of the bench with a mutant."""
-    try:
-        said = subprocess.run([args.work / "model" / "bench", args.vectors, "--seed", str(seed), "--stall", str(stall),
-                               "--mutant", str(number)], capture_output=True, text=True, timeout=args.seconds)
-    except subprocess.TimeoutExpired:
-        return 0, f"no end in {args.seconds} s"
-    reports, last = FAIL.findall(said.stdout), LAST.search(said.stdout)
-    if said.returncode or reports or not last:
-        return 0, reports[0] if reports else said.stderr.strip() or f"exit status {said.returncode}"
-    return int(last[2]), ""
-
-
-def judge(args, number, pace):
-    """How a mutant was found, or ''."""
-    for seed, stall in RUNS:
-        cycles, found = try_bench(args, number, seed, stall)
-        if found or cycles > pace[seed, stall]:
-            return f"seed {seed}, stall {stall}: {found or f'{cycles} cycles, and not {pace[seed, stall]}'}"
-    return ""
-
-
-def reasons_of(path):
+def rows_of(path, cells):
     rows = [line.split(" | ") for line in path.read_text().splitlines() if line and not line.startswith("#")]
-    return {tuple(cell.strip() for cell in row[:3]): row[3] for row in rows}
+    if wrong := [row for row in rows if len(row) != cells]:
+        raise Broken(f"{path}: not {cells} cells with ' | ' between: {' | '.join(wrong[0])}")
+    return [[cell.strip() for cell in row] for row in rows]
+
+
+def modules_of(benches):
+    """{unit: (names of modules, names of benches)}; each module of rtl/ has one unit."""
+    rows = {unit: (modules.split(), names.split()) for unit, modules, names in rows_of(benches, 3)}
+    named = [name for modules, _ in rows.values() for name in modules]
+    every = [stem.removeprefix("hs_") for stem in sources()]
+    if wrong := set(named) ^ set(every) | {name for name in named if named.count(name) > 1}:
+        raise Broken(f"{benches}: not once there, or not in rtl/: {', '.join(sorted(wrong))}")
+    return rows
+
+
+def chosen_of(rows, units, modules, count, seed):
+    """{unit: {number: (stem, mutant)}}, and of how many."""
+    every = [(unit, f"hs_{name}", mutant) for unit in units for name in rows[unit][0] if re.fullmatch(modules, name)
+             for mutant in mutants.mutants(sources()[f"hs_{name}"].read_text())]
+    some = random.Random(seed).sample(range(len(every)), min(count, len(every)))
+    chosen = {}
+    for number, at in enumerate(sorted(some), 1):
+        unit, stem, mutant = every[at]
+        chosen.setdefault(unit, {})[number] = (stem, mutant)
+    return chosen, len(every)
+
+
+class Bench:
+    """The model of a unit in a configuration, with mutants in it; `name`: CONFIG, CONFIG/LANES or CONFIG/LANES/SCENE,
+    and before it UNIT: of another unit than that whose modules they are."""
+
+    def __init__(self, args, unit, name, chosen):
+        other, _, rest = name.rpartition(":")
+        config, lanes, scene = (*rest.split("/"), "", "")[:3]
+        self.args, self.unit, self.name, self.own = args, other or unit, name, not other
+        lanes, scene = int(lanes or 4), scene or "standard"
+        path = next((TB.parent / "tests" / "configs").glob(f"*/{config}.toml"), config)
+        package = args.work / f"{config}.sv"
+        if not package.exists():
+            run([args.halfspace, "package", "--config", path, "-o", package], "halfspace package")
+        self.vectors = args.work / "vectors" / f"{config}_{lanes}_{scene}"
+        if not self.vectors.exists():
+            run([args.halfspace, "vectors", scene, "--config", path, "--lanes", lanes, "--out", self.vectors],
+                "halfspace vectors")
+        self.work = args.work / unit / name.replace(":", "_").replace("/", "_")
+        shutil.rmtree(self.work, ignore_errors=True)
+        shutil.copytree(args.rtl, self.work / "rtl")
+        files = below(f"hs_{self.unit}", self.work / "rtl")
+        for stem in {stem for stem, _ in chosen.values()} & set(files):
+            mine = {number: mutant for number, (where, mutant) in chosen.items() if where == stem}
+            files[stem].write_text(mutants.applied(files[stem].read_text(), mine))
+        # Read before all others: the file that stands first in the alphabet.
+        first = files[min(files)]
+        first.write_text(mutants.SOURCE + first.read_text())
+        model = self.work / "model"
+        build(package, lanes, f"hs_{self.unit}", model, args.library, rtl=self.work / "rtl", verilator=args.verilator,
+              cxx=args.cxx, optimize="-O1")
+        code = "".join(file.read_text() for file in model.glob("Vmodel*.cpp"))
+        self.has = {int(number, 0) for number in ASKS.findall(code)}
+        self.pace = {}
+        for seed, stall in RUNS:
+            self.pace[seed, stall], wrong = self.run(0, seed, stall)
+            if wrong:
+                raise Broken(f"{unit} {name}, without a fault: {wrong}")
+
+    def run(self, number, seed, stall):
+        """(cycles, what is wrong or '') with a mutant."""
+        command = [self.work / "model" / "bench", self.vectors, "--seed", str(seed), "--stall", str(stall), "--mutant",
+                   str(number)]
+        try:
+            said = subprocess.run(command, capture_output=True, text=True, timeout=self.args.seconds)
+        except subprocess.TimeoutExpired:
+            return 0, f"no end in {self.args.seconds} s"
+        reports, last = FAIL.findall(said.stdout), LAST.search(said.stdout)
+        if said.returncode or reports or not last:
+            return 0, reports[0] if reports else said.stderr.strip() or f"exit status {said.returncode}"
+        return int(last[3]), ""
+
+    def judge(self, number):
+        """How a mutant is found, or ''."""
+        for seed, stall in RUNS if number in self.has else ():
+            cycles, wrong = self.run(number, seed, stall)
+            if wrong or cycles > self.pace[seed, stall]:
+                wrong = wrong or f"{cycles} cycles, and not {self.pace[seed, stall]}"
+                return f"{self.unit} {self.name}, seed {seed}, stall {stall}: {wrong}"
+        return ""
+
+
+class Tally:
+    def __init__(self):
+        self.mutants = self.found = self.own = self.same = 0
+
+    def add(self, other):
+        for name in vars(self):
+            setattr(self, name, getattr(self, name) + getattr(other, name))
+
+    @property
+    def different(self):
+        return self.mutants - self.same
+
+    def share(self, part):
+        return 100 * part / self.different if self.different else 100
+
+    def __str__(self):
+        return (f"{self.mutants} mutants, {self.same} equivalent; of {self.different} others {self.found} found "
+                f"({self.share(self.found):.1f} %), {self.own} at their own unit ({self.share(self.own):.1f} %)")
+
+
+def try_unit(args, unit, names, chosen, reasons):
+    """Prints a line a mutant; the tally."""
+    left, how, own, has = dict(chosen), {}, set(), set()
+    for name in names:
+        if not left:
+            break
+        bench = Bench(args, unit, name, left)
+        has |= bench.has
+        with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
+            for number, said in zip(list(left), pool.map(bench.judge, left)):
+                if not said:
+                    continue
+                how[number] = said
+                own |= {number} if bench.own else set()
+                del left[number]
+        if not args.keep:
+            shutil.rmtree(bench.work)
+    tally = Tally()
+    for number, (stem, ((_, begin, _), what, _)) in chosen.items():
+        text = sources()[stem].read_text()
+        at = mutants.line_of(text, begin)
+        line = text.splitlines()[at - 1].strip()
+        reason = reasons.get((f"{stem}.sv", what, line), "")
+        tally.mutants += 1
+        tally.found += number in how
+        tally.own += number in own
+        tally.same += number not in how and bool(reason)
+        state = "found   " if number in how else "the same" if reason else "SURVIVES"
+        told = how.get(number, "")[:150] or reason or ("" if number in has else "in none of the models")
+        print(f"{state} {number:4} {stem}.sv:{at} {what} | {line} | {told}", flush=True)
+    return tally
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--unit", required=True)
-    parser.add_argument("--package", type=pathlib.Path, required=True)
-    parser.add_argument("--lanes", type=int, default=4, choices=sorted(LANES))
-    parser.add_argument("--vectors", type=pathlib.Path, required=True, help="a set of the package's configuration")
-    parser.add_argument("--library", type=pathlib.Path, action="append", required=True,
-                        help="the harness and Verilator's library, in this order: --library A.a --library B.a")
-    parser.add_argument("--work", type=pathlib.Path, required=True, help="folder for the copy and its model")
+    parser.add_argument("--halfspace", type=pathlib.Path, required=True, help="the program, for packages and vectors")
+    parser.add_argument("--unit", action="append", help="of these units alone (default: all)")
+    parser.add_argument("--modules", default=".*", help="regular expression: of these modules alone, without hs_")
     parser.add_argument("--count", type=int, default=100, help="mutants (default: %(default)s)")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--least", type=float, default=0, help="percent of those that are not equivalent, to be found")
+    parser.add_argument("--least-own", type=float, default=0, help="and at their own unit")
+    parser.add_argument("--library", type=pathlib.Path, action="append",
+                        help="the harness and Verilator's library, in this order: --library A.a --library B.a (default: "
+                             "those beside the program, in tb/)")
+    parser.add_argument("--work", type=pathlib.Path, required=True, help="folder for copies and models")
+    parser.add_argument("--benches", type=pathlib.Path, default=TB / "faults" / "benches.list")
     parser.add_argument("--reasons", type=pathlib.Path, default=TB / "faults" / "equivalent.list")
     parser.add_argument("--seconds", type=int, default=60, help="of a run (default: %(default)s)")
     parser.add_argument("--jobs", type=int, default=1)
+    parser.add_argument("--keep", action="store_true", help="keep the models")
     parser.add_argument("--rtl", type=pathlib.Path, default=RTL)
     parser.add_argument("--verilator", default="verilator")
     parser.add_argument("--cxx", default="c++")
     args = parser.parse_args()
-    shutil.rmtree(args.work, ignore_errors=True)
-    shutil.copytree(args.rtl, args.work / "rtl")
-    files = list(below(f"hs_{args.unit}", args.work / "rtl").values())
-    texts = {path: path.read_text() for path in files}
-    chosen, total = chosen_of(files, args.count, args.seed)
-    write_mutants(files, chosen)
+    libraries = args.halfspace.parent.parent / "tb"
+    args.library = args.library or [libraries / "libhalfspace_tb.a", libraries / "libhalfspace_verilated.a"]
+    args.halfspace = pathlib.Path(os.path.abspath(args.halfspace))
+    shutil.rmtree(args.work / "vectors", ignore_errors=True)
+    (args.work / "vectors").mkdir(parents=True)
     try:
-        build(args.package, args.lanes, f"hs_{args.unit}", args.work / "model", args.library, rtl=args.work / "rtl",
-              verilator=args.verilator, cxx=args.cxx, optimize="-O1")
+        rows = modules_of(args.benches)
+        units = args.unit or list(rows)
+        if unknown := set(units) - set(rows):
+            raise Broken(f"{args.benches}: no unit {', '.join(unknown)}")
+        reasons = {tuple(row[:3]): row[3] for row in rows_of(args.reasons, 4)}
+        chosen, every = chosen_of(rows, units, args.modules, args.count, args.seed)
+        tallies, total = {}, Tally()
+        for unit, mine in chosen.items():
+            tallies[unit] = try_unit(args, unit, rows[unit][1], mine, reasons)
+            total.add(tallies[unit])
     except Broken as e:
         print(f"mutation: {e}", file=sys.stderr)
         return 2
-    pace = {}
-    for seed, stall in RUNS:
-        pace[seed, stall], wrong = try_bench(args, 0, seed, stall)
-        if wrong:
-            print(f"mutation: without a fault: {wrong}", file=sys.stderr)
-            return 2
-    reasons = reasons_of(args.reasons) if args.reasons.exists() else {}
-    found = equivalent = 0
-    with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
-        for number, how in zip(chosen, pool.map(lambda number: judge(args, number, pace), chosen)):
-            path, ((_, begin, _), what, _) = chosen[number]
-            at = mutants.line_of(texts[path], begin)
-            line = texts[path].splitlines()[at - 1].strip()
-            reason = reasons.get((path.name, what, line), "")
-            found += bool(how)
-            equivalent += not how and bool(reason)
-            state = "found   " if how else "the same" if reason else "SURVIVES"
-            print(f"{state} {number:4} {path.name}:{at} {what} | {line} | {how[:100] or reason}", flush=True)
-    different = len(chosen) - equivalent
-    share = 100 * found / different if different else 0
-    print(f"mutation of {args.unit}: seed {args.seed}, {len(chosen)} of {total} mutants, {found} found, {equivalent} "
-          f"equivalent, {different - found} survive: {share:.1f} % found")
-    return 0 if found and share >= args.least else 1
+    for unit, tally in tallies.items():
+        print(f"{unit}: {tally}")
+    print(f"mutation, seed {args.seed}, {total.mutants} of {every}: {total}")
+    good = total.share(total.found) >= args.least and total.share(total.own) >= args.least_own
+    return 0 if total.found and good else 1
 
 
 if __name__ == "__main__":
