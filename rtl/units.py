@@ -74,8 +74,9 @@ def ordered(tops, rtl=RTL):
 
 
 def below(top, rtl=RTL):
-    """The same of one module, by name: what tools make of sources depends on the order in which they read them."""
-    return dict(sorted(ordered([top], rtl).items()))
+    """The same of one module, packages first, and by name: what tools make of sources depends on the order in which
+    they read them."""
+    return dict(sorted(ordered([top], rtl).items(), key=lambda item: (not item[0].endswith("_pkg"), item[0])))
 
 
 def parameters(module, lanes, numbers):

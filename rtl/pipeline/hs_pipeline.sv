@@ -31,6 +31,10 @@
 // all that is before.
 // Frame registers, lights, materials and textures change only while busy_o is 0.
 // Between two units a stream passes an hs_stream, which names it.
+//
+// OutsideFrame: the I-buffer and the Z-buffer are in memory outside; OutsidePlanes: TdbS is. They
+// change no word of a stream. What memory sees is in hs_memory_pkg; its words have MemoryBits.
+// With both 0 its ports are one bit each, 0 and not looked at.
 module hs_pipeline #(
   parameter int unsigned LanesX = 2,
   parameter int unsigned LanesY = 2,
@@ -38,6 +42,14 @@ module hs_pipeline #(
   parameter int unsigned StampFifoDepth = 4,
   parameter int unsigned TriangleDepthFifoDepth = 4,
   parameter int unsigned DeferFifoDepth = 512,
+  parameter int unsigned OutsideFrame = 0,
+  parameter int unsigned OutsidePlanes = 0,
+  parameter int unsigned MemoryBits = 64,
+  localparam int unsigned Outside = OutsideFrame + OutsidePlanes,
+  localparam int unsigned Reads = Outside != 0 ? hs_memory_pkg::Reads : 1,
+  localparam int unsigned Writes = Outside != 0 ? hs_memory_pkg::Writes : 1,
+  localparam int unsigned RequestBits = Outside != 0 ? hs_memory_pkg::RequestBits : 1,
+  localparam int unsigned WordBits = Outside != 0 ? MemoryBits : 1,
   localparam int unsigned Lanes = LanesX * LanesY,
   localparam int unsigned DepthBits = hs_formats_pkg::DepthBits,
   localparam int unsigned ColourBits = hs_formats_pkg::ColourBits,
@@ -94,7 +106,22 @@ module hs_pipeline #(
   output logic [hs_formats_pkg::MotionWordBits-1:0]             motion_o,
   output logic                                                  entry_valid_o,
   input  logic                                                  entry_ready_i,
-  output logic [EntryBits-1:0]                                  entry_o
+  output logic [EntryBits-1:0]                                  entry_o,
+
+  // Memory outside, by clients (hs_memory_pkg)
+  input  hs_memory_pkg::bases_t                                 memory_bases_i,
+  output logic [Reads-1:0]                                      memory_read_valid_o,
+  input  logic [Reads-1:0]                                      memory_read_ready_i,
+  output logic [Reads*RequestBits-1:0]                          memory_read_o,
+  input  logic [Reads-1:0]                                      memory_data_valid_i,
+  input  logic [Reads*WordBits-1:0]                             memory_data_i,
+  output logic [Writes-1:0]                                     memory_write_valid_o,
+  input  logic [Writes-1:0]                                     memory_write_ready_i,
+  output logic [Writes*RequestBits-1:0]                         memory_write_o,
+  output logic [Writes-1:0]                                     memory_store_valid_o,
+  input  logic [Writes-1:0]                                     memory_store_ready_i,
+  output logic [Writes*WordBits-1:0]                            memory_store_o,
+  input  logic [Writes-1:0]                                     memory_written_i
 );
   localparam int unsigned StampsX = (hs_formats_pkg::MaxWidth + LanesX - 1) / LanesX;
   localparam int unsigned StampsY = (hs_formats_pkg::MaxHeight + LanesY - 1) / LanesY;
@@ -165,6 +192,22 @@ module hs_pipeline #(
     .scan_index_o      (scan_index),
     .scan_depth_o      (scan_depth)
   );
+
+  // --- memory outside ---
+  if (Outside == 0) begin : gen_inside
+    logic unused_memory;
+    assign unused_memory = ^{memory_bases_i, memory_read_ready_i, memory_data_valid_i,
+                             memory_data_i, memory_write_ready_i, memory_store_ready_i,
+                             memory_written_i};
+    assign memory_read_valid_o = '0;
+    assign memory_read_o = '0;
+    assign memory_write_valid_o = '0;
+    assign memory_write_o = '0;
+    assign memory_store_valid_o = '0;
+    assign memory_store_o = '0;
+  end else begin : gen_outside
+    $error("hs_pipeline: OutsideFrame and OutsidePlanes must be 0");
+  end
 
   // --- the I-buffer out as pixels ---
   hs_back #(

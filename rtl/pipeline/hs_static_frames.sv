@@ -106,12 +106,13 @@ module hs_static_frames #(
   // --- Passes ---
   logic sent_entry_valid, sent_entry_ready, entry_valid, entry_ready, unused_streams;
   logic unused_motion_vectors_ready, unused_pixel_valid, unused_motion_valid;
+  logic [5:0] unused_memory;
   logic [EntryBits-1:0] sent_entry, entry;
   logic [EntryBits-Lanes*(DepthBits+ObjectBits)-1:0] unused_pixel;
   logic [hs_formats_pkg::MotionWordBits-1:0] unused_motion;
 
   assign unused_streams = ^{unused_motion_vectors_ready, unused_pixel_valid, unused_pixel,
-                            unused_motion_valid, unused_motion};
+                            unused_motion_valid, unused_motion, unused_memory};
 
   hs_pipeline #(
     .LanesX(LanesX),
@@ -155,7 +156,20 @@ module hs_static_frames #(
     .motion_o                   (unused_motion),
     .entry_valid_o              (sent_entry_valid),
     .entry_ready_i              (sent_entry_ready),
-    .entry_o                    (sent_entry)
+    .entry_o                    (sent_entry),
+    .memory_bases_i             ('0),
+    .memory_read_valid_o        (unused_memory[0]),
+    .memory_read_ready_i        (1'b0),
+    .memory_read_o              (unused_memory[1]),
+    .memory_data_valid_i        (1'b0),
+    .memory_data_i              (1'b0),
+    .memory_write_valid_o       (unused_memory[2]),
+    .memory_write_ready_i       (1'b0),
+    .memory_write_o             (unused_memory[3]),
+    .memory_store_valid_o       (unused_memory[4]),
+    .memory_store_ready_i       (1'b0),
+    .memory_store_o             (unused_memory[5]),
+    .memory_written_i           (1'b0)
   );
 
   hs_stream #(
