@@ -14,8 +14,9 @@ SOURCE = f"package {PACKAGE};\n  int unsigned number /*verilator public_flat_rw*
 SWAPS = {"&&": "||", "||": "&&", "==": "!=", "!=": "==", "<": "<=", "<=": "<", ">": ">=", ">=": ">", "+": "-", "-": "+",
          "&": "|", "|": "&", "^": "|", "<<": ">>", ">>": "<<", "!": "", "~": "", "1'b0": "1'b1", "1'b1": "1'b0",
          "'0": "'1", "'1": "'0"}
-# How often something is repeated: a change would be one of the width, in the run of number 0 as well.
-COUNT = re.compile(r"\{\s*(\([^(){}]*\))\s*\{")
+# How often something is repeated, and the size of a cast: a change would be one of the width, in the run of number 0 as
+# well.
+COUNT = re.compile(r"\{\s*(\([^(){}]*\))\s*\{|(\((?:[^()]|\([^()]*\))*\))(?=')")
 TOKEN = re.compile(r"\d*'[bdh]?[0-9a-fA-F]+|[A-Za-z_$]\w*|\d+|<<<|>>>|<<|>>|&&|\|\||[=!<>]=|\+:|-:|\S")
 
 
@@ -133,7 +134,7 @@ def split(text, operator):
 def changes(text, whole):
     """What an expression can become: (what, text)."""
     names = set(re.findall(r"\b\w+_q\d*\b", whole))
-    counts = [match.span(1) for match in COUNT.finditer(text)]
+    counts = [match.span(match.lastindex) for match in COUNT.finditer(text)]
     depth = 0
     for token in TOKEN.finditer(text):
         word, begin, end = token[0], token.start(), token.end()

@@ -184,8 +184,8 @@ def main():
     parser.add_argument("--least", type=float, default=0, help="percent of those that are not equivalent, to be found")
     parser.add_argument("--least-own", type=float, default=0, help="and at their own unit")
     parser.add_argument("--library", type=pathlib.Path, action="append",
-                        help="the harness and Verilator's library, in this order: --library A.a --library B.a (default: "
-                             "those beside the program, in tb/)")
+                        help="the harness and Verilator's library, in this order: --library A.a --library B.a "
+                             "(default: those beside the program, in tb/)")
     parser.add_argument("--work", type=pathlib.Path, required=True, help="folder for copies and models")
     parser.add_argument("--benches", type=pathlib.Path, default=TB / "faults" / "benches.list")
     parser.add_argument("--reasons", type=pathlib.Path, default=TB / "faults" / "equivalent.list")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/harness/bench.hpp"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "tb/harness/plan.hpp"
@@ -148,6 +149,7 @@ bool Bench::run(const std::function<bool()>& done, std::uint64_t patience) {
   while (!done()) {
     waited = step() ? 0 : waited + 1;
     if (cycle_ % 65536 == 0) tell_progress();
+    if (options_->mutant != 0 && is_wrong()) return false;  // found: what follows tells no more
     if (cycle_ - from > 10 * patience + kCyclesAWord * (moves_ - moved_before)) {
       failures_.push_back("too slow: " + std::to_string(moves_) + " cycles of " + std::to_string(cycle_) +
                           " moved a word; " + waiting());
@@ -158,6 +160,11 @@ bool Bench::run(const std::function<bool()>& done, std::uint64_t patience) {
     return false;
   }
   return true;
+}
+
+bool Bench::is_wrong() const {
+  return !failures_.empty() || std::any_of(receivers_.begin(), receivers_.end(),
+                                           [](const Receiver& receiver) { return receiver.mismatches() != 0; });
 }
 
 bool Bench::all_done() const {
@@ -186,6 +193,12 @@ std::string Bench::waiting() const {
     if (!receiver.done()) add(receiver.state());
   }
   return text.empty() ? "all words were seen, and the model is still busy" : text;
+}
+
+void Bench::fail(const std::string& what) {
+  const auto same = [&](const std::string& told) { return told.rfind(what, 0) == 0; };
+  if (std::none_of(failures_.begin(), failures_.end(), same))
+    failures_.push_back(what + ", cycle " + std::to_string(cycle_));
 }
 
 void Bench::idle(int cycles) {

@@ -113,6 +113,8 @@ class Bench {
   // Whether the first `frames` of what was sent and expected are through.
   bool done(std::size_t frames) const;
   void idle(int cycles);
+  // Tells what is wrong, once.
+  void fail(const std::string& what);
   // Collects the streams' results, and refuses streams without words.
   void finish(Result* result);
   // Collects what was wrong until now, and nothing that is missing: the bench ends before its words do.
@@ -128,6 +130,7 @@ class Bench {
 
  private:
   bool step();
+  bool is_wrong() const;
   void note_streams();
   void tell_progress();
   std::string waiting() const;
