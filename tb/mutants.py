@@ -16,7 +16,8 @@ SWAPS = {"&&": "||", "||": "&&", "==": "!=", "!=": "==", "<": "<=", "<=": "<", "
          "'0": "'1", "'1": "'0"}
 # How often something is repeated, and the size of a cast: a change would be one of the width, in the run of number 0 as
 # well.
-COUNT = re.compile(r"\{\s*(\([^(){}]*\))\s*\{|(\((?:[^()]|\([^()]*\))*\))(?=')")
+COUNT = re.compile(r"\{\s*([^{},]*[^{},\s])\s*\{|(\((?:[^()]|\([^()]*\))*\))(?=')")
+SLICE = re.compile(r"\[([^\[\]:]*[^\[\]:+-]):\s*([^\[\]:]+)\]")
 TOKEN = re.compile(r"\d*'[bdh]?[0-9a-fA-F]+|[A-Za-z_$]\w*|\d+|<<<|>>>|<<|>>|&&|\|\||[=!<>]=|\+:|-:|\S")
 
 
@@ -131,6 +132,21 @@ def split(text, operator):
     return list(zip(begins, [*ends, len(text)])) if ends else []
 
 
+def branches(text):
+    """One of the two of a choice that is the whole expression."""
+    depth, ask, other = 0, None, None
+    for token in TOKEN.finditer(text):
+        depth += (token[0] in "([{") - (token[0] in ")]}")
+        if depth == 0 and token[0] == "?" and ask is None:
+            ask = token
+        elif depth == 0 and token[0] == ":" and ask and other is None:
+            other = token
+    if ask and other and "?" not in text[ask.end():other.start()]:
+        condition = " ".join(text[:ask.start()].split())
+        yield f"{condition}: always", text[ask.end():other.start()]
+        yield f"{condition}: never", text[other.end():]
+
+
 def changes(text, whole):
     """What an expression can become: (what, text)."""
     names = set(re.findall(r"\b\w+_q\d*\b", whole))
@@ -164,6 +180,10 @@ def changes(text, whole):
                 name = match[1] + (str(other) if other > 1 else "")
                 if other > 0 and name in names:
                     yield "stage", text[:begin] + name + text[end:]
+    for match in SLICE.finditer(text):
+        if (low := match[2].strip()) != "0":
+            yield "slice", f"{text[:match.start()]}[{match[1]} - 1:{low} - 1]{text[match.end():]}"
+    yield from branches(text)
     for operator in ("&&", "||"):
         for begin, end in split(text, operator):
             neutral = " 1 " if operator == "&&" else " 0 "
