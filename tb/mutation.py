@@ -37,12 +37,15 @@ def lines_of(path):
 
 
 def modules_of(benches):
-    """{unit: (names of modules, names of benches)}; each module of rtl/ has one unit."""
+    """{unit: (names of modules, names of benches)}; each module of rtl/ in which there is something to change has one
+    unit."""
     cells = [line.split(" | ") for line in lines_of(benches)]
     rows = {unit: (modules.split(), names.split()) for unit, modules, names in cells}
     named = [name for modules, _ in rows.values() for name in modules]
-    every = [stem.removeprefix("hs_") for stem in sources()]
-    if wrong := set(named) ^ set(every) | {name for name in named if named.count(name) > 1}:
+    every = {stem.removeprefix("hs_"): path for stem, path in sources().items()}
+    wrong = set(named) - set(every) | {name for name in named if named.count(name) > 1}
+    wrong |= {name for name in set(every) - set(named) if mutants.mutants(every[name].read_text())}
+    if wrong:
         raise Broken(f"{benches}: not once there, or not in rtl/: {', '.join(sorted(wrong))}")
     return rows
 

@@ -113,12 +113,28 @@ void Bench::note_streams() {
   for (const Receiver& receiver : receivers_) note(receiver.wires());
 }
 
+// The first cycle that is wrong is told.
+void Bench::look() {
+  if (looked_wrong_) return;
+  std::string wrong = look_ ? look_() : "";
+  for (const Port* const port : zeros_) {
+    const auto* const bytes = static_cast<const std::uint8_t*>(port->data);
+    if (wrong.empty() && std::any_of(bytes, bytes + port->bytes, [](std::uint8_t byte) { return byte != 0; })) {
+      wrong = "idle: " + port->name + " is not 0, and the configuration has no such stream";
+    }
+  }
+  if (wrong.empty()) return;
+  looked_wrong_ = true;
+  failures_.push_back(wrong + ", cycle " + std::to_string(cycle_));
+}
+
 bool Bench::step() {
   for (Sender& sender : senders_) sender.drive();
   for (Receiver& receiver : receivers_) receiver.drive();
   *clock_ = 0;
   model_->eval();
   model_->show(life_, cycle_, false);
+  look();
   bool moved = false;
   for (Sender& sender : senders_) moved |= sender.sample();
   for (Receiver& receiver : receivers_) moved |= receiver.sample(cycle_);
@@ -175,6 +191,10 @@ bool Bench::all_done() const {
     if (!receiver.done()) return false;
   }
   return true;
+}
+
+bool Bench::all_taken() const {
+  return std::all_of(senders_.begin(), senders_.end(), [](const Sender& sender) { return sender.done(); });
 }
 
 bool Bench::done(std::size_t frames) const {

@@ -102,6 +102,10 @@ class Bench {
   Receiver& add_receiver(const Stream& stream, const std::string& port = "");
   Memory& add_memory(const MemoryPorts& ports);
 
+  // Outputs that have to be 0 in each cycle.
+  void keep_zero(std::vector<const Port*> ports) { zeros_ = std::move(ports); }
+  // Looks at the model in each cycle, the clock low, and says what is wrong with it, or "".
+  void on_cycle(std::function<std::string()> look) { look_ = std::move(look); }
   // From the first word on; all streams are there.
   void keep_timeline();
   void reset();
@@ -112,6 +116,7 @@ class Bench {
   bool all_done() const;
   // Whether the first `frames` of what was sent and expected are through.
   bool done(std::size_t frames) const;
+  bool all_taken() const;
   void idle(int cycles);
   // Tells what is wrong, once.
   void fail(const std::string& what);
@@ -126,11 +131,12 @@ class Bench {
   std::uint64_t cycle() const { return cycle_; }
   std::uint64_t first_move() const { return first_move_; }
   const std::string& name() const { return name_; }
-  Model& model() { return *model_; }
+  Model& model() const { return *model_; }
 
  private:
   bool step();
   bool is_wrong() const;
+  void look();
   void note_streams();
   void tell_progress();
   std::string waiting() const;
@@ -151,6 +157,9 @@ class Bench {
   std::deque<Sender> senders_;
   std::deque<Receiver> receivers_;
   std::deque<Memory> memories_;
+  std::vector<const Port*> zeros_;
+  std::function<std::string()> look_;
+  bool looked_wrong_ = false;
   std::vector<std::string> failures_;
   std::uint64_t cycle_ = 0, first_move_ = 0, last_move_ = 0, moves_ = 0;
   std::chrono::steady_clock::time_point told_ = std::chrono::steady_clock::now();

@@ -92,6 +92,9 @@ Plan plan_of(const Model& model, const Vectors& vectors) {
     if (!is_idle(model, stream)) continue;
     known.add_input(stream);
     known.add_output(stream);
+    for (const char* const end : {"_valid_o", "_o", "_ready_o"}) {
+      if (const Port* const port = model.find(stream + std::string(end))) plan.zeros.push_back(port);
+    }
   }
   for (const MemoryPorts* const ports : kMemories) {
     if (Memory::fits(model, *ports)) known.add_memory(*ports);

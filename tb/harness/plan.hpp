@@ -45,8 +45,9 @@ struct Plan {
     std::string port;
   };
   std::vector<End> takes, sends;
-  std::vector<End> loads;      // what it takes in any cycle, so that nothing else may be in flight: before a frame
-  std::vector<End> registers;  // a word before a frame, which stays
+  std::vector<End> loads;          // what it takes in any cycle, so that nothing else may be in flight: before a frame
+  std::vector<End> registers;      // a word before a frame, which stays
+  std::vector<const Port*> zeros;  // outputs of a stream that its configuration does not have
   const Stream* fills = nullptr;
   std::vector<const Stream*> keeps;  // of a film: what the passes before left in the memories that it reads
 

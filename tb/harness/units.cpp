@@ -51,6 +51,8 @@ class UnitBench {
       tokens_.words = Words(2);
       for (std::uint32_t token = 0; token < 4; ++token) *tokens_.words.append() = token;
     }
+    bench_.keep_zero(plan_.zeros);
+    if (index_buffer_) bench_.on_cycle([this] { return misplaced(); });
   }
 
   void run(Result* result) {
@@ -99,6 +101,28 @@ class UnitBench {
   // frame: a unit that then waits for a word of the next one hangs.
   bool follows() { return bench_.model().find("merge_valid_i") != nullptr; }
 
+  // A unit that reads and writes one wrong place finds again what it wrote: only the place tells.
+  std::string misplaced() const {
+    const Model& model = bench_.model();
+    if (*model.need("update_valid_o", 1).bit() == 0) return "";
+    const Stream& update = need_stream(vectors_, "update");
+    const Port& word = model.need("update_o", update.bits);
+    const auto field = [&](const char* name) {
+      return update.need(name, "the bench of a Z-test").raw(static_cast<const std::uint32_t*>(word.data));
+    };
+    const std::uint64_t x = field("x"), y = field("y"), place = y * stamps_x() + x;
+    const Port& port = model.need("write_address_o");
+    std::uint32_t address = 0;
+    std::memcpy(&address, port.data, std::size_t(std::min(port.bytes, 4)));
+    if (address == place) return "";
+    return "place: update at stamp (" + std::to_string(x) + ", " + std::to_string(y) + ") has write_address_o " +
+           std::to_string(address) + ", and not " + std::to_string(place);
+  }
+
+  std::size_t stamps_x() const {
+    return std::size_t(bench_.model().constant("MaxWidth") + vectors_.lanes_x - 1) / vectors_.lanes_x;
+  }
+
   void run_frames() {
     for (std::size_t frame = 0; frame < vectors_.frames.size(); ++frame) {
       const bool stalls = options_.stall != 0 && stands_alone();  // or each frame is measured alone
@@ -143,7 +167,8 @@ class UnitBench {
   }
 
   bool begin_frame(std::size_t frame, bool follows) {
-    if (!follows) bench_.set_frame(vectors_.frames[frame]);
+    frame_ = vectors_.frames[frame];
+    if (!follows) bench_.set_frame(frame_);
     // A frame finds its bank of the I-buffer empty; the other one keeps the frame before.
     if (idles(frame)) return follows || prepare(frame);
     if (index_buffer_) index_buffer_->clear(int(begun_ % 2));
@@ -231,7 +256,7 @@ class UnitBench {
     if (shading_) fill_shading_database(segment_of(*plan_.fills, frame));
     kept_.prepare(bench_.model(), vectors_, frame);
     for (std::size_t i = 0; i < loaders_.size(); ++i) loaders_[i]->send(segment_of(*plan_.loads[i].stream, frame));
-    const bool loaded = bench_.run([this] { return bench_.all_done(); }, options_.hang);
+    const bool loaded = loaders_.empty() || bench_.run([this] { return bench_.all_done(); }, options_.hang);
     bench_.idle(1);
     return loaded;
   }
@@ -239,12 +264,10 @@ class UnitBench {
   void fill_index_buffer(const Segment& updates) {
     const auto field = [&](const char* name) { return updates.stream->need(name, "the bench of scan_index"); };
     const Field x = field("x"), y = field("y"), index = field("index"), mask = field("mask");
-    const std::size_t stamps_x =
-        std::size_t(bench_.model().constant("MaxWidth") + vectors_.lanes_x - 1) / vectors_.lanes_x;
     for (std::size_t n = updates.begin; n < updates.end; ++n) {
       const std::uint32_t* const word = updates.stream->words[n];
       const std::uint32_t stored[] = {std::uint32_t(index.raw(word)), 0};
-      scanned_->write(0, y.raw(word) * stamps_x + x.raw(word), extract(word, mask.lsb, mask.count), vectors_.lanes(),
+      scanned_->write(0, y.raw(word) * stamps_x() + x.raw(word), extract(word, mask.lsb, mask.count), vectors_.lanes(),
                       stored, false);
     }
   }
@@ -261,10 +284,21 @@ class UnitBench {
     }
   }
 
+  // What they take of the size goes with a word that they take: it may change behind the last.
+  bool reads_size_with_words() const { return bench_.name() == "triangle_setup" || bench_.name() == "raster_pineda"; }
+
   bool finish_frame() {
     if (begun_ == 0 && !scanned_ && !follows()) return true;
     const std::uint64_t before = bench_.cycle();
-    const bool finished = bench_.run([this] { return ends(); }, options_.hang);
+    bool taken = true;
+    if (reads_size_with_words()) {
+      taken = bench_.run([this] { return bench_.all_taken(); }, options_.hang);
+      Frame other = frame_;
+      other.width = 1 + random_.next() % frame_.width;
+      other.height = 1 + random_.next() % frame_.height;
+      bench_.set_frame(other);
+    }
+    const bool finished = taken && bench_.run([this] { return ends(); }, options_.hang);
     cycles_ += bench_.cycle() - before;
     bench_.idle(kPause);
     return finished;
@@ -298,6 +332,7 @@ class UnitBench {
   std::uint64_t cycles_ = 0;
   Random random_;
   std::size_t begun_ = 0;  // frames
+  Frame frame_{};          // the last of these
   std::vector<std::size_t> repeated_;
   Stream cleared_, tokens_;  // of run_scan, or of shows_; the bench points to them until its end
 };
