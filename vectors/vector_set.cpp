@@ -182,6 +182,26 @@ Json described_frames(const std::vector<NamedFrame>& frames) {
   return described;
 }
 
+// Counts the stamps that the rasterizer visits in each frame, an empty triangle as one. It draws the frame with an
+// engine of its own, as the other one has to see each frame once; not where a frame is drawn only with indices given.
+class VisitCounter {
+ public:
+  explicit VisitCounter(const VectorSetOptions& options)
+      : config_(options.configuration.config()), engine_(make_engine(options.configuration, options.lanes)) {
+    engine_->reuse_indices(options.window);
+  }
+  std::uint64_t operator()(const NamedFrame& frame) {
+    load_frame(*engine_, config_, frame);
+    std::uint64_t sum = 0;
+    for (const int visits : engine_->visits(frame.scene)) sum += std::uint64_t(std::max(visits, 1));
+    return sum;
+  }
+
+ private:
+  const Config config_;
+  const std::unique_ptr<Engine> engine_;
+};
+
 // A word of `motion` that shows no face: it ends a frame whose last stamp is empty.
 RawMotion ending_word(const Layout& layout, const Word& word) {
   RawMotion out;
@@ -202,12 +222,14 @@ std::string write_vector_set(const std::string& folder, const VectorSetOptions& 
   const Configuration& configuration = options.configuration;
   const auto engine = make_engine(configuration, options.lanes);
   engine->reuse_indices(options.window);
+  VisitCounter visits_of(options);
   std::vector<Layout> layouts = engine->layouts();
   if (options.ports)
     layouts.erase(std::remove_if(layouts.begin(), layouts.end(), [](const Layout& l) { return !is_of_ports(l); }),
                   layouts.end());
-  const auto capture = [&](std::size_t n, Json&, const WordSink& sink) {
+  const auto capture = [&](std::size_t n, Json& frame, const WordSink& sink) {
     load_frame(*engine, configuration.config(), frames[n]);
+    if (!gives_indices(configuration.config())) frame["visits"] = visits_of(frames[n]);
     engine->capture(frames[n].scene, [&](const Layout& layout, const Word* words, std::size_t count) {
       if (!options.ports || is_of_ports(layout)) sink(layout, words, count);
     });
@@ -222,13 +244,15 @@ std::string write_between_set(const std::string& folder, const VectorSetOptions&
   const Configuration& configuration = options.configuration;
   const Compensator compensator(configuration);
   const auto engine = make_engine(configuration, options.lanes);
+  VisitCounter visits_of(options);
   std::vector<Layout> layouts = engine->layouts();
   for (const Layout& layout : compensator.layouts()) {
     if (layout.stream != "motion") layouts.push_back(layout);
   }
-  const auto capture = [&](std::size_t n, Json&, const WordSink& sink) {
+  const auto capture = [&](std::size_t n, Json& frame, const WordSink& sink) {
     const ref::SnappedList& scene = frames[n].scene;
     load_frame(*engine, configuration.config(), frames[n]);
+    frame["visits"] = visits_of(frames[n]);
     std::vector<RawMotion> motion = engine->motion(scene, nullptr);
     engine->capture(scene, [&](const Layout& layout, const Word* words, std::size_t count) {
       sink(layout, words, count);

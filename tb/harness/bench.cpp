@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <numeric>
 
 #include "tb/harness/plan.hpp"
 #include "tb/report/blame.hpp"
@@ -135,6 +136,9 @@ bool Bench::step() {
   model_->eval();
   model_->show(life_, cycle_, false);
   look();
+  const auto stalls = [](const auto& end) { return end.stalls(); };
+  stalled_ += std::any_of(senders_.begin(), senders_.end(), stalls) ||
+              std::any_of(receivers_.begin(), receivers_.end(), stalls);
   bool moved = false;
   for (Sender& sender : senders_) moved |= sender.sample();
   for (Receiver& receiver : receivers_) moved |= receiver.sample(cycle_);
@@ -195,6 +199,11 @@ bool Bench::all_done() const {
 
 bool Bench::all_taken() const {
   return std::all_of(senders_.begin(), senders_.end(), [](const Sender& sender) { return sender.done(); });
+}
+
+std::uint64_t Bench::late() const {
+  return std::accumulate(senders_.begin(), senders_.end(), std::uint64_t(0),
+                         [](std::uint64_t sum, const Sender& sender) { return sum + sender.late(); });
 }
 
 bool Bench::done(std::size_t frames) const {

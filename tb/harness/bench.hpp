@@ -129,6 +129,10 @@ class Bench {
   static inline int lives = 0;
 
   std::uint64_t cycle() const { return cycle_; }
+  // Cycles in which an end of a stream made the model wait, or may have.
+  std::uint64_t stalled() const { return stalled_; }
+  // Words that were not offered at once.
+  std::uint64_t late() const;
   std::uint64_t first_move() const { return first_move_; }
   const std::string& name() const { return name_; }
   Model& model() const { return *model_; }
@@ -161,7 +165,7 @@ class Bench {
   std::function<std::string()> look_;
   bool looked_wrong_ = false;
   std::vector<std::string> failures_;
-  std::uint64_t cycle_ = 0, first_move_ = 0, last_move_ = 0, moves_ = 0;
+  std::uint64_t cycle_ = 0, first_move_ = 0, last_move_ = 0, moves_ = 0, stalled_ = 0;
   std::chrono::steady_clock::time_point told_ = std::chrono::steady_clock::now();
 };
 

@@ -73,12 +73,15 @@ void Sender::skip_empty() {
 
 void Sender::drive() {
   if (offering_) return;
-  const bool held = allowed_ && words_ >= *allowed_;
+  const bool held = allowed_ && words_ >= *allowed_, was_late = is_late_;
   if (!done() && !held && !stall_.next()) {
     offer();
-  } else if (*wires_.valid->bit() != 0) {
-    withdraw();
+    is_late_ = false;
+    return;
   }
+  is_late_ = !done();
+  late_ += is_late_ && !was_late;
+  if (*wires_.valid->bit() != 0) withdraw();
 }
 
 void Sender::offer() {

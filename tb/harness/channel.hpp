@@ -58,6 +58,10 @@ class Sender {
   // Whether a word moved.
   bool sample();
   bool done() const { return current_ == segments_.size(); }
+  // Whether it has a word and does not offer it in this cycle.
+  bool stalls() const { return !done() && !offering_; }
+  // Words that were not offered at once.
+  std::uint64_t late() const { return late_; }
   std::size_t segments_done() const { return current_; }
   // "triangle: 12 of 40 words taken, valid 1, ready 0"
   std::string state() const;
@@ -77,7 +81,8 @@ class Sender {
   Random early_;
   std::vector<Segment> segments_;
   std::size_t current_ = 0, position_ = 0, words_ = 0, total_ = 0;
-  bool offering_ = false;
+  std::uint64_t late_ = 0;
+  bool offering_ = false, is_late_ = false;
   const std::size_t* allowed_ = nullptr;
 };
 
@@ -96,6 +101,8 @@ class Receiver {
   // Whether a word moved that was expected: a unit that sends without an end does not get on.
   bool sample(std::uint64_t cycle);
   bool done() const { return current_ == segments_.size(); }
+  // Whether a word is offered and not taken in this cycle.
+  bool stalls() const { return drives_ready_ && *wires_.valid->bit() != 0 && *wires_.ready->bit() == 0; }
   std::size_t segments_done() const { return current_; }
   std::string state() const;
   // Counts the words that never came.

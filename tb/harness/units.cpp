@@ -6,6 +6,7 @@
 
 #include "tb/film/kept.hpp"
 #include "tb/harness/plan.hpp"
+#include "tb/report/unit_work.hpp"
 
 namespace halfspace::tb {
 namespace {
@@ -189,6 +190,7 @@ class UnitBench {
   }
 
   void send_frame(std::size_t frame) {
+    begin_work(frame);
     for (std::size_t i = 0; i < senders_.size(); ++i) senders_[i]->send(segment_of(*plan_.takes[i].stream, frame));
     for (std::size_t i = 0; i < receivers_.size(); ++i) {
       receivers_[i]->expect(segment_of(*plan_.sends[i].stream, frame));
@@ -217,6 +219,7 @@ class UnitBench {
     for (std::size_t frame = 0; frame < vectors_.frames.size(); ++frame) {
       bench_.set_frame(vectors_.frames[frame]);
       if (!prepare(frame)) return;
+      begin_work(frame);
       start.send({&tokens_, 0, 1, frame, ""});
       receivers_[0]->expect(segment_of(scan, frame));
       if (!finish_frame()) return;
@@ -300,6 +303,7 @@ class UnitBench {
     }
     const bool finished = taken && bench_.run([this] { return ends(); }, options_.hang);
     cycles_ += bench_.cycle() - before;
+    if (finished) check_interval();
     bench_.idle(kPause);
     return finished;
   }
@@ -310,6 +314,16 @@ class UnitBench {
       bench_.fail("protocol: start is taken before the last word of the pass before");
     return bench_.all_done();
   }
+
+  void begin_work(std::size_t frame) {
+    due_.add(frame, unit_work(bench_.model(), vectors_, frame, bench_.cycle()), follows(), waits());
+  }
+
+  // All that was sent is through.
+  void check_interval() {
+    if (const std::string why = due_.slow(waits()); !why.empty()) bench_.fail(why);
+  }
+  Waits waits() const { return {bench_.cycle(), bench_.stalled(), bench_.late()}; }
 
   // Passes that no frame asks for do not count as its cycles.
   bool finish_extra(std::uint64_t patience) {
@@ -334,6 +348,7 @@ class UnitBench {
   std::size_t begun_ = 0;  // frames
   Frame frame_{};          // the last of these
   std::vector<std::size_t> repeated_;
+  DueWork due_;
   Stream cleared_, tokens_;  // of run_scan, or of shows_; the bench points to them until its end
 };
 

@@ -198,6 +198,8 @@ Vectors load_manifest(const std::string& directory) {
     if (item.has("triangles")) frame.has_triangles = item.at("triangles").integer(0, std::int64_t(1) << 32) != 0;
     if (item.has("note")) frame.note = item.at("note").text();
     if (item.has("pass")) read_pass(item, &frame);
+    if (item.has("visits")) frame.visits = item.at("visits").integer(0, kMostWords);
+    if (item.has("cycles")) frame.cycles = item.at("cycles").integer(0, kMostWords);
     vectors.frames.push_back(frame);
   }
   if (vectors.frames.empty()) top.at("frames").fail("is empty");

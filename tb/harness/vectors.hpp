@@ -53,6 +53,9 @@ struct Frame {
   // Of a film, where a frame is a pass: "key", "between" or "fill"; and how much key 0 weighs in between.
   std::string pass;
   std::uint32_t weight = 0;
+  // What a manifest may tell: stamps that the rasterizer visits, one a triangle at least; cycles of a unit that stands
+  // alone, where it never waits. < 0: it does not.
+  std::int64_t visits = -1, cycles = -1;
 };
 
 inline bool same_registers(const Frame& a, const Frame& b) {
