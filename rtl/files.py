@@ -10,7 +10,7 @@ import re
 import sys
 
 sys.dont_write_bytecode = True  # no __pycache__ between the sources
-from units import BESIDE, RTL, ordered  # noqa: E402
+from units import BESIDE, RTL, WHOLES, ordered  # noqa: E402
 
 CONFIGS, DEFAULT = ("low", "middle", "high"), "middle"
 TOP = "hs_pipeline"
@@ -52,7 +52,7 @@ def project(root):
 def filesets(rtl=RTL):
     """{name: paths below the root of the project}: the pipeline, and what each module beside it has besides."""
     sets, listed = {}, set()
-    for top in (TOP, *(f"hs_{unit}" for unit in BESIDE)):
+    for top in (TOP, *(f"hs_{unit}" for unit in (*BESIDE, *WHOLES))):
         new = {stem: path for stem, path in closure(top, rtl).items() if stem not in listed}
         listed.update(new)
         sets[top.removeprefix("hs_")] = [f"rtl/{path.relative_to(rtl)}" for path in new.values()]
@@ -101,7 +101,8 @@ def bender(rtl=RTL):
             f"# halfspace {version} for Bender. Printed by `rtl/files.py --format bender`: change modules, not this.\n"
             f"# Targets: {', '.join(CONFIGS)}: the package of a configuration, {DEFAULT} if none is named;\n"
             "# own_package: none of these, for one that `halfspace package` printed, which you list in your sources;\n"
-            f"# {', '.join(BESIDE)}: the unit beside the pipeline too.\n"
+            f"# {', '.join(BESIDE)}: the unit beside the pipeline too;\n"
+            f"# {', '.join(WHOLES)}: what stands round the pipeline.\n"
             f'package:\n  name: halfspace\n  description: "{description}"\n  authors: ["the authors of halfspace"]\n\n'
             "sources:\n"]
     for config in CONFIGS:

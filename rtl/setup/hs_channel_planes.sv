@@ -35,9 +35,12 @@ module hs_channel_planes #(
   input  logic                            ready_i,
   output logic [3*Channels*PlaneBits-1:0] planes_o  // of each channel {start, dx, dy}
 );
-  // A numerator is the wide factor: 24 bits take a distance in one pass, R in one or two.
-  localparam int unsigned Chunk = 24;
   localparam int unsigned DeltaBits = hs_formats_pkg::DeltaBits;
+  // A numerator is the wide factor: 24 bits take a distance in one pass, R in one or two. Where
+  // both take 15 there are no more: multipliers of 16 bits, of small FPGAs, then take them.
+  localparam int unsigned FactorBits =
+      ReciprocalBits > DeltaBits - 1 ? ReciprocalBits : DeltaBits - 1;
+  localparam int unsigned Chunk = FactorBits < 16 ? FactorBits : 24;
 
   // Of the channels but the last one.
   localparam int unsigned KeptBits = 3 * (Channels - 1) * PlaneBits;

@@ -118,11 +118,13 @@ module hs_setup_record #(
     localparam int unsigned PlaneBits = hs_formats_pkg::DepthPlaneBits;
     logic [DepthBits-1:0] depth0_q, depth1_q, depth2_q;
     hs_formats_pkg::delta_t x_q, y_q;
-    // 18-bit factors, one of them the sign: the multipliers of FPGAs. Longer where two are too few.
+    // 18-bit factors, one of them the sign: the multipliers of FPGAs. Longer where two are too few;
+    // shorter where 16 are enough, as small FPGAs have them.
     localparam int unsigned FactorBits =
         hs_formats_pkg::ReciprocalBits > hs_formats_pkg::DeltaBits - 1 ?
         hs_formats_pkg::ReciprocalBits : hs_formats_pkg::DeltaBits - 1;
-    localparam int unsigned Chunk = FactorBits > 34 ? (FactorBits + 1) / 2 : 17;
+    localparam int unsigned Chunk =
+        FactorBits > 34 ? (FactorBits + 1) / 2 : FactorBits < 16 ? FactorBits : 17;
     logic [PlaneBits-1:0] depth;
     logic signed [PlaneBits-1:0] depth_dx, depth_dy;
 

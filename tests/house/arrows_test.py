@@ -20,9 +20,9 @@ ROOMS = {"ref": ".hpp scene+builtin geometry raster objects motion",
          "vectors": "frames .hpp+.cpp",
          "study": "proofs bounds stability trade fit papers",
          "cli": ".hpp common plots motion sweep+repro+inspect .cpp",
-         "rtl": "common memory setup raster ztest shade texture motion objects pipeline system"}
+         "rtl": "common memory setup raster ztest shade texture motion objects pipeline system board"}
 # Where units are put together: elsewhere none includes another or has it as an instance.
-COMPOSE = ("pipeline", "system", "top")
+COMPOSE = ("pipeline", "system", "board", "top")
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"')
 INSTANCE = re.compile(r"^\s*(hs_\w+)\s+(?:#\s*\(|u_\w+)")
