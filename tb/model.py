@@ -8,7 +8,7 @@ import os
 import pathlib
 import sys
 
-from verilate import LANES, RTL, TB, Broken, run, verilate
+from verilate import LANES, RTL, TB, Broken, parameter, run, verilate
 
 
 def compile_command(verilator, cxx, optimize):
@@ -37,11 +37,12 @@ def trace_library(folder, out, verilator, cxx):
 
 
 def build(package, lanes, top, out, libraries, rtl=RTL, verilator="verilator", cxx="c++", optimize="-O0", yosys=None,
-          trace=False):
+          trace=False, chosen=None):
     """The bench of `top` in folder `out`. `libraries`: the harness and Verilator's, in this order. With `yosys`: of the
-    netlist that it makes; `trace`: it writes waves, and takes Verilator's library for these as well."""
+    netlist that it makes; `trace`: it writes waves, and takes Verilator's library for these as well; `chosen`:
+    {name: value} of parameters of `top`."""
     folder = pathlib.Path(libraries[0]).parent
-    verilate(package, top, lanes, out, rtl, verilator, yosys, trace, folder, cxx)
+    verilate(package, top, lanes, out, rtl, verilator, yosys, trace, folder, cxx, chosen)
     # The compiler takes what is precompiled where it was compiled in the same way, and the header itself otherwise.
     header = folder / "header.hpp"
     include = ["-include", header] if header.exists() else []
@@ -67,6 +68,8 @@ def main():
                         help="the harness and Verilator's library, in this order: --library A.a --library B.a")
     parser.add_argument("--rtl", type=pathlib.Path, default=RTL,
                         help="the modules, in folders as those of rtl/: to try RTL of one's own (default: %(default)s)")
+    parser.add_argument("--parameter", type=parameter, action="append", default=[], metavar="NAME=VALUE",
+                        help="a parameter of the module, as SetupCycles=8 of hs_pipeline")
     parser.add_argument("--trace", action="store_true", help="so that --wave of the bench writes waves")
     parser.add_argument("--log", type=pathlib.Path, help="write here what goes wrong, and nothing else anywhere")
     parser.add_argument("--verilator", default="verilator")
@@ -81,7 +84,7 @@ def main():
             precompile(args.header, args.verilator, args.cxx)
             return 0
         bench = build(args.package, args.lanes, args.top, args.out, args.library, args.rtl, args.verilator, args.cxx,
-                      args.optimize, args.yosys, args.trace)
+                      args.optimize, args.yosys, args.trace, dict(args.parameter))
         if not args.log:
             print(bench)
     except Broken as e:

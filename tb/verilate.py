@@ -71,20 +71,21 @@ def netlist_of(read, top, given, out, yosys):
          f'chformal -remove; opt_clean; write_verilog -noattr "{out}"'], "yosys")
 
 
-def traced_build(package, top, lanes, rtl, verilator, yosys, libraries, cxx):
+def traced_build(package, top, lanes, rtl, verilator, yosys, libraries, cxx, chosen):
     """The words of the command that builds the same model with waves, but for its folder."""
     folder = [pathlib.Path(libraries).resolve() / f"lib{name}.a"
               for name in ("halfspace_tb", "halfspace_verilated")] if libraries else []
     words = ["python3", TB / "model.py", "--trace", "--top", top, "--lanes", lanes, "--package", package.resolve(),
              "--rtl", pathlib.Path(rtl).resolve(), "--verilator", verilator, "--cxx", cxx]
+    words += [f"--parameter={name}={value}" for name, value in chosen.items()]
     return [*map(str, words), *(["--yosys", yosys] if yosys else []),
             *(word for library in folder for word in ("--library", str(library)))]
 
 
 def verilate(package, top, lanes, out, rtl=RTL, verilator="verilator", yosys=None, trace=False, libraries=None,
-             cxx="c++"):
+             cxx="c++", chosen=None):
     """Fills the folder `out`; the sources that were read. With `yosys`: of the netlist that it makes. `trace`: so that
-    it writes waves. `libraries`: the folder with those that a bench is linked with, for the build of one that does."""
+    it writes waves. `chosen`: {name: value} of parameters of the module, constants of the model as well. `libraries`: the folder with those that a bench is linked with, for the build of one that does."""
     name = CONFIG.search(package.read_text()) if package.exists() else None
     if not name:
         raise Broken(f"{package}: no package of formats: print one with `halfspace package --config C -o {package}`")
@@ -95,7 +96,9 @@ def verilate(package, top, lanes, out, rtl=RTL, verilator="verilator", yosys=Non
     out.mkdir(parents=True, exist_ok=True)
     for old in out.glob("Vmodel*"):
         old.unlink()
-    given = parameters(sources[top].read_text(), lanes, numbers)
+    chosen = chosen or {}
+    given = {**parameters(sources[top].read_text(), lanes, numbers), **chosen}
+    numbers = {**numbers, **chosen}
     read = [package, *sources.values()]
     inputs = [*(f"-G{name}={value}" for name, value in given.items()), *read]
     if yosys:
@@ -111,7 +114,7 @@ def verilate(package, top, lanes, out, rtl=RTL, verilator="verilator", yosys=Non
         found.append("HS_VARIABLE(mutant_i, __PVT__hs_mutant->number)\n")
     (out / "ports.inc").write_text("".join(found))
     lanes_x, lanes_y = LANES[lanes]
-    again = traced_build(package, top, lanes, rtl, verilator, yosys, libraries, cxx)
+    again = traced_build(package, top, lanes, rtl, verilator, yosys, libraries, cxx, chosen)
     how = "#define HS_TRACED\n" if trace else f"#define HS_TRACED_BUILD {', '.join(map(json.dumps, again))}\n"
     (out / "title.inc").write_text(f'#define HS_TOP "{top}"\n#define HS_CONFIG "{name.group(1)}"\n'
                                    f"#define HS_LANES_X {lanes_x}\n#define HS_LANES_Y {lanes_y}\n" + how)
@@ -124,6 +127,12 @@ def verilate(package, top, lanes, out, rtl=RTL, verilator="verilator", yosys=Non
     return read
 
 
+def parameter(text):
+    """(name, number) of NAME=VALUE."""
+    name, value = text.split("=")
+    return name, int(value)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--verilator", default="verilator", help="the program (default: %(default)s)")
@@ -132,13 +141,15 @@ def main():
     parser.add_argument("--out", type=pathlib.Path, required=True, help="folder for the C++")
     parser.add_argument("--package", type=pathlib.Path, required=True, help="hs_formats_pkg.sv of the configuration")
     parser.add_argument("--yosys", help="this program, to take the netlist that it makes of the module")
+    parser.add_argument("--parameter", type=parameter, action="append", default=[], metavar="NAME=VALUE",
+                        help="a parameter of the module")
     parser.add_argument("--libraries", type=pathlib.Path, help="folder of the libraries of a bench, for --wave")
     parser.add_argument("--cxx", default="c++", help="compiler of a bench, for --wave (default: %(default)s)")
     parser.add_argument("--depfile", type=pathlib.Path, help="write the sources that were read here, for the build")
     args = parser.parse_args()
     try:
         read = verilate(args.package, args.top, args.lanes, args.out, verilator=args.verilator, yosys=args.yosys,
-                        libraries=args.libraries, cxx=args.cxx)
+                        libraries=args.libraries, cxx=args.cxx, chosen=dict(args.parameter))
     except Broken as e:
         print(f"verilate: {e}", file=sys.stderr)
         return 1

@@ -131,11 +131,12 @@ function(halfspace_lint name)
   endforeach()
 endfunction()
 
-# halfspace_faults(NAME FAULTS CONFIG [SCENE scene | WORDS script] [LANES lanes] [LONG] UNITS unit …): that the benches
-# of these, with four lanes, find each of tb/faults/FAULTS.txt, on a scene or on the words that a script makes; a test
-# for each unit that has faults there, NAME_UNIT, or NAME if it is one alone.
+# halfspace_faults(NAME FAULTS CONFIG [SCENE scene | WORDS script] [LANES lanes] [LONG] [PARAMETERS NAME=value …]
+# UNITS unit …): that the benches of these, with four lanes, find each of tb/faults/FAULTS.txt, on a scene or on the words
+# that a script makes; a test for each unit that has faults there, NAME_UNIT, or NAME if it is one alone.
 function(halfspace_faults name faults config)
-  cmake_parse_arguments(PARSE_ARGV 3 F "LONG" "SCENE;WORDS;LANES" "UNITS")
+  cmake_parse_arguments(PARSE_ARGV 3 F "LONG" "SCENE;WORDS;LANES" "UNITS;PARAMETERS")
+  list(TRANSFORM F_PARAMETERS PREPEND --parameter=)
   set(long "")
   if(F_LONG)
     set(long LONG)
@@ -166,7 +167,7 @@ function(halfspace_faults name faults config)
       BUILDS halfspace halfspace_tb halfspace_verilated ${package_target}
       COMMAND $<TARGET_FILE:Python3::Interpreter> ${PROJECT_SOURCE_DIR}/tb/faults/run.py --units ${F_UNITS} --of ${unit}
         --faults ${file} --config ${config_of_${config}} --scene ${F_SCENE} --package ${package}
-        --lanes ${F_LANES}
+        --lanes ${F_LANES} ${F_PARAMETERS}
         ${from} --work ${CMAKE_CURRENT_BINARY_DIR}/${test} --jobs 2
         --library $<TARGET_FILE:halfspace_tb> --library $<TARGET_FILE:halfspace_verilated>
         --verilator ${HALFSPACE_VERILATOR} --cxx ${CMAKE_CXX_COMPILER})

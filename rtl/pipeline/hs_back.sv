@@ -11,6 +11,8 @@
 module hs_back #(
   parameter int unsigned LanesX,
   parameter int unsigned LanesY,
+  parameter int unsigned SetupCycles = hs_formats_pkg::SetupInterval,
+  parameter int unsigned BackgroundFifoDepth = 0,
   localparam int unsigned Lanes = LanesX * LanesY,
   localparam int unsigned DepthBits = hs_formats_pkg::DepthBits,
   localparam int unsigned IndexBits = hs_formats_pkg::IndexBits,
@@ -172,8 +174,10 @@ module hs_back #(
     assign motion_o = '0;
 
     hs_shading #(
-      .LanesX(LanesX),
-      .LanesY(LanesY)
+      .LanesX             (LanesX),
+      .LanesY             (LanesY),
+      .SetupCycles        (SetupCycles),
+      .BackgroundFifoDepth(BackgroundFifoDepth)
     ) u_shading (
       .clk_i                      (clk_i),
       .rst_ni                     (rst_ni),

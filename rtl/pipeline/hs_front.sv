@@ -22,6 +22,7 @@
 module hs_front #(
   parameter int unsigned LanesX,
   parameter int unsigned LanesY,
+  parameter int unsigned SetupCycles = hs_formats_pkg::SetupInterval,
   parameter int unsigned SetupFifoDepth,
   parameter int unsigned StampFifoDepth,
   parameter int unsigned TriangleDepthFifoDepth,
@@ -144,9 +145,10 @@ module hs_front #(
   hs_formats_pkg::setup_t sent_setup, setup;
   hs_formats_pkg::attributes_t sent_attributes, attributes;
 
-  hs_triangle_setup #(
-    .LanesX(LanesX),
-    .LanesY(LanesY)
+  hs_setup_turns #(
+    .LanesX     (LanesX),
+    .LanesY     (LanesY),
+    .SetupCycles(SetupCycles)
   ) u_triangle_setup (
     .clk_i             (clk_i),
     .rst_ni            (rst_ni),

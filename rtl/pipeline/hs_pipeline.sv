@@ -38,6 +38,8 @@
 module hs_pipeline #(
   parameter int unsigned LanesX = 2,
   parameter int unsigned LanesY = 2,
+  parameter int unsigned SetupCycles = hs_formats_pkg::SetupInterval,  // a triangle
+  parameter int unsigned BackgroundFifoDepth = 0,
   parameter int unsigned SetupFifoDepth = 512,
   parameter int unsigned StampFifoDepth = 4,
   parameter int unsigned TriangleDepthFifoDepth = 4,
@@ -164,6 +166,7 @@ module hs_pipeline #(
   hs_front #(
     .LanesX                (LanesX),
     .LanesY                (LanesY),
+    .SetupCycles           (SetupCycles),
     .SetupFifoDepth        (SetupFifoDepth),
     .StampFifoDepth        (StampFifoDepth),
     .TriangleDepthFifoDepth(TriangleDepthFifoDepth),
@@ -211,8 +214,10 @@ module hs_pipeline #(
 
   // --- the I-buffer out as pixels ---
   hs_back #(
-    .LanesX(LanesX),
-    .LanesY(LanesY)
+    .LanesX             (LanesX),
+    .LanesY             (LanesY),
+    .SetupCycles        (SetupCycles),
+    .BackgroundFifoDepth(BackgroundFifoDepth)
   ) u_back (
     .clk_i                      (clk_i),
     .rst_ni                     (rst_ni),

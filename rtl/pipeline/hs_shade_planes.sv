@@ -11,6 +11,7 @@
 // Interval, stall: as the setup. Lights and materials are written while no frame is in flight.
 module hs_shade_planes #(
   parameter int unsigned ColoursFifoDepth = 4,
+  parameter int unsigned SetupCycles = hs_formats_pkg::SetupInterval,
   localparam int unsigned ColoursBits = hs_formats_pkg::ColoursWordBits
 ) (
   input  logic                                        clk_i,
@@ -112,7 +113,9 @@ module hs_shade_planes #(
       assign setup_colours = '0;
     end
 
-    hs_shade_setup u_shade_setup (
+    hs_shade_turns #(
+      .SetupCycles(SetupCycles)
+    ) u_shade_setup (
       .clk_i             (clk_i),
       .rst_ni            (rst_ni),
       .attributes_valid_i(attributes_valid_i),

@@ -16,6 +16,8 @@
 module hs_shading #(
   parameter int unsigned LanesX,
   parameter int unsigned LanesY,
+  parameter int unsigned SetupCycles = hs_formats_pkg::SetupInterval,
+  parameter int unsigned BackgroundFifoDepth = 0,  // 0: background goes through shade_gouraud
   parameter int unsigned AttributesFifoDepth = 4,
   // With texture all that shade_texture takes before it looks at `lit`.
   parameter int unsigned ScanFifoDepth = hs_formats_pkg::HasTexture != 0 ? 32 : 4,
@@ -91,7 +93,9 @@ module hs_shading #(
     .out_o      (attributes)
   );
 
-  hs_shade_planes u_shade_planes (
+  hs_shade_planes #(
+    .SetupCycles(SetupCycles)
+  ) u_shade_planes (
     .clk_i             (clk_i),
     .rst_ni            (rst_ni),
     .light_valid_i     (light_valid_i),
@@ -183,6 +187,10 @@ module hs_shading #(
       .pixel_o         (lit)
     );
   end else begin : gen_shade_gouraud
+    logic covered_valid, covered_ready, shaded_valid, shaded_ready;
+    logic [ScanBits-1:0] covered;
+    logic [PixelBits-1:0] shaded;
+
     hs_shade_gouraud #(
       .LanesX(LanesX),
       .LanesY(LanesY)
@@ -190,17 +198,48 @@ module hs_shading #(
       .clk_i        (clk_i),
       .rst_ni       (rst_ni),
       .background_i (background_i),
-      .scan_valid_i (shade_scan_valid),
-      .scan_ready_o (shade_scan_ready),
-      .scan_i       (shade_scan),
+      .scan_valid_i (covered_valid),
+      .scan_ready_o (covered_ready),
+      .scan_i       (covered),
       .read_en_o    (read_en),
       .read_bank_o  (read_bank),
       .read_entry_o (read_entry),
       .read_planes_i(read_planes),
-      .pixel_valid_o(lit_valid),
-      .pixel_ready_i(lit_ready),
-      .pixel_o      (lit)
+      .pixel_valid_o(shaded_valid),
+      .pixel_ready_i(shaded_ready),
+      .pixel_o      (shaded)
     );
+
+    if (BackgroundFifoDepth != 0) begin : gen_background_pass
+      hs_background_pass #(
+        .LanesX(LanesX),
+        .LanesY(LanesY),
+        .Depth (BackgroundFifoDepth)
+      ) u_background_pass (
+        .clk_i          (clk_i),
+        .rst_ni         (rst_ni),
+        .background_i   (background_i),
+        .scan_valid_i   (shade_scan_valid),
+        .scan_ready_o   (shade_scan_ready),
+        .scan_i         (shade_scan),
+        .covered_valid_o(covered_valid),
+        .covered_ready_i(covered_ready),
+        .covered_o      (covered),
+        .shaded_valid_i (shaded_valid),
+        .shaded_ready_o (shaded_ready),
+        .shaded_i       (shaded),
+        .pixel_valid_o  (lit_valid),
+        .pixel_ready_i  (lit_ready),
+        .pixel_o        (lit)
+      );
+    end else begin : gen_all_through
+      assign covered_valid = shade_scan_valid;
+      assign shade_scan_ready = covered_ready;
+      assign covered = shade_scan;
+      assign lit_valid = shaded_valid;
+      assign shaded_ready = lit_ready;
+      assign lit = shaded;
+    end
   end
 
   // --- Texture ---

@@ -21,7 +21,7 @@ import time
 HERE = pathlib.Path(__file__).resolve().parent
 TB = HERE.parent
 sys.path.insert(0, str(TB))
-from model import LANES, Broken, build, run  # noqa: E402
+from model import LANES, Broken, build, parameter, run  # noqa: E402
 from units import below  # noqa: E402
 
 KEYS = ["why", "file", "find", "with", "unit", "says"]
@@ -74,11 +74,17 @@ def judge(unit, output, status, says):
     return ""
 
 
+def parameters_of(args, top):
+    """Those of --parameter that the module has."""
+    text = below(top, args.rtl)[top].read_text()
+    return {name: value for name, value in args.parameter if f"parameter int unsigned {name} " in text}
+
+
 def try_unit(args, unit, says, work):
     """What is wrong with the bench of the unit in a copy of the RTL, or ''; and what it reports."""
     package = args.package or work / "rtl" / "formats" / args.config / "hs_formats_pkg.sv"
     bench = build(package, args.lanes, f"hs_{unit}", work / unit, args.library, rtl=work / "rtl",
-                  verilator=args.verilator, cxx=args.cxx)
+                  verilator=args.verilator, cxx=args.cxx, chosen=parameters_of(args, f"hs_{unit}"))
     result = subprocess.run([bench, args.vectors, "--stall", "30", "--seed", "1"], capture_output=True, text=True,
                             timeout=600)
     output = result.stdout + result.stderr
@@ -137,6 +143,8 @@ def main():
     parser.add_argument("--units", nargs="+", required=True, help="units, or pipeline; those that the faults may reach")
     parser.add_argument("--of", metavar="UNIT", help="only faults of this unit: that `unit` names alone or first")
     parser.add_argument("--package", type=pathlib.Path, help="of a configuration that has none in rtl/")
+    parser.add_argument("--parameter", type=parameter, action="append", default=[], metavar="NAME=VALUE",
+                        help="of the modules that have it")
     parser.add_argument("--lanes", type=int, default=4, choices=sorted(LANES))
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--only", help="regular expression of the names to try")

@@ -11,6 +11,7 @@ import sys
 
 TESTS = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(TESTS.parent / "tb"))
+sys.path.insert(0, str(TESTS.parent / "rtl"))
 from model import build  # noqa: E402
 
 
@@ -42,15 +43,15 @@ class Case:
         self.folder = pathlib.Path(args.folder) / name
         self.toml = self.folder / "config.toml"
 
-    def build(self, text, top, lanes, yosys=None):
-        """The bench of module `top` in the configuration of this text."""
+    def build(self, text, top, lanes, yosys=None, chosen=None):
+        """The bench of module `top` in the configuration of this text; `chosen`: {name: value} of its parameters."""
         shutil.rmtree(self.folder, ignore_errors=True)
         self.folder.mkdir(parents=True)
         self.toml.write_text(text)
         self.lanes, package = lanes, self.folder / "hs_formats_pkg.sv"
         run([self.args.halfspace, "package", "--config", self.toml, "-o", package])
         self.bench = build(package, lanes, top, self.folder / "model", self.args.library,
-                           verilator=self.args.verilator, cxx=self.args.cxx, yosys=yosys)
+                           verilator=self.args.verilator, cxx=self.args.cxx, yosys=yosys, chosen=chosen)
 
     def cosimulate(self, scene, stall, seeds, options=()):
         """What cosim_test.py says of the bench on a scene."""
