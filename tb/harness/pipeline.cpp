@@ -199,7 +199,10 @@ Result run_pipeline(Model* model, const Vectors& vectors, const Options& options
   result.unit = "pipeline";
   bench.finish(&result);
   stopwatch.stop(&result);
-  const int setup_interval = options.setup_interval ? options.setup_interval : model->constant("SetupInterval");
+  const int chosen = model->constant("SetupCycles");  // a parameter of the module that tb/model.py was given
+  const int setup_interval = options.setup_interval ? options.setup_interval
+                             : chosen               ? chosen
+                                                    : model->constant("SetupInterval");
   result.bound = bound_of(vectors, *model, setup_interval, vectors.frames.size() - 1, vectors.frames.size());
   result.rates = count_rates(vectors, last->counted, model->constant("Bilinear") ? 4 : 1);
   if (const auto setup = last->counted.find("setup");

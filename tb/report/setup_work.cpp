@@ -57,7 +57,7 @@ SetupWork setup_work(const Vectors& vectors, const Words& setup, std::size_t fro
     const std::uint32_t* const word = triangle->words[begin + n];
     const auto x = column.of(word), y = row.of(word);
     const bool inside = column.holds_centre(x) && row.holds_centre(y);
-    work.cycles += inside ? 7 : 3;
+    work.cycles += std::min<std::uint64_t>(inside ? 7 : 3, interval);
     work.culled += inside && (x[1] - x[0]) * (y[2] - y[0]) != (y[1] - y[0]) * (x[2] - x[0]);
   }
   return work;
