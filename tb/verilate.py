@@ -85,7 +85,8 @@ def traced_build(package, top, lanes, rtl, verilator, yosys, libraries, cxx, cho
 def verilate(package, top, lanes, out, rtl=RTL, verilator="verilator", yosys=None, trace=False, libraries=None,
              cxx="c++", chosen=None):
     """Fills the folder `out`; the sources that were read. With `yosys`: of the netlist that it makes. `trace`: so that
-    it writes waves. `chosen`: {name: value} of parameters of the module, constants of the model as well. `libraries`: the folder with those that a bench is linked with, for the build of one that does."""
+    it writes waves. `libraries`: the folder with those that a bench is linked with, for the build of one that does.
+    `chosen`: {name: value} of parameters of the module, which are constants of the model as well."""
     name = CONFIG.search(package.read_text()) if package.exists() else None
     if not name:
         raise Broken(f"{package}: no package of formats: print one with `halfspace package --config C -o {package}`")

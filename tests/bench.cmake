@@ -132,8 +132,8 @@ function(halfspace_lint name)
 endfunction()
 
 # halfspace_faults(NAME FAULTS CONFIG [SCENE scene | WORDS script] [LANES lanes] [LONG] [PARAMETERS NAME=value …]
-# UNITS unit …): that the benches of these, with four lanes, find each of tb/faults/FAULTS.txt, on a scene or on the words
-# that a script makes; a test for each unit that has faults there, NAME_UNIT, or NAME if it is one alone.
+# UNITS unit …): that the benches of these, with four lanes, find each of tb/faults/FAULTS.txt, on a scene or on the
+# words that a script makes; a test for each unit that has faults there, NAME_UNIT, or NAME if it is one alone.
 function(halfspace_faults name faults config)
   cmake_parse_arguments(PARSE_ARGV 3 F "LONG" "SCENE;WORDS;LANES" "UNITS;PARAMETERS")
   list(TRANSFORM F_PARAMETERS PREPEND --parameter=)

@@ -35,7 +35,8 @@ module hs_setup_collect #(
     attributes_o = '0;
     for (int unsigned i = 0; i < Turns; i++) begin
       setup_o |= setup_i[i*SetupBits +: SetupBits] & {SetupBits{turn_q[i]}};
-      attributes_o |= attributes_i[i*AttributesBits +: AttributesBits] & {AttributesBits{turn_q[i]}};
+      attributes_o |= attributes_i[i*AttributesBits +: AttributesBits]
+                      & {AttributesBits{turn_q[i]}};
     end
   end
 

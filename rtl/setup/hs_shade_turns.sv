@@ -2,7 +2,8 @@
 // hs_shade_setup at an interval of SetupCycles: as many units as that takes are given a record in
 // turn, and their planes leave in the order of the records, with the bits of one unit.
 //
-// Flat colours have an interval of 1 by themselves. With lighting a record is given with its colours.
+// Flat colours have an interval of 1 by themselves. With lighting a record is given with its
+// colours.
 // Interval: SetupCycles on the average; a record a cycle at most. Latency: one cycle more than
 // hs_shade_setup where there are units in turn. Stall: planes stay until taken, and the next unit
 // waits.
@@ -37,7 +38,8 @@ module hs_shade_turns #(
   localparam int unsigned Lit = hs_formats_pkg::Lights != 0 ? 1 : 0;
   // Where the default asks for no more than hs_triangle_setup has, one is enough.
   localparam int unsigned Units = hs_formats_pkg::Gouraud == 0
-      || SetupCycles >= hs_formats_pkg::SetupInterval ? 1 : (Interval + SetupCycles - 1) / SetupCycles;
+      || SetupCycles >= hs_formats_pkg::SetupInterval
+      ? 1 : (Interval + SetupCycles - 1) / SetupCycles;
 
   if (Units == 1) begin : gen_alone
     hs_shade_setup u_shade_setup (

@@ -5,12 +5,13 @@
 //   triangle ─► hs_edge_setup ─┬── D ──► hs_reciprocal ─► record ─┬─► hs_plane_setup ─► setup
 //                              └────────────────────────────┘     └──────────────► attributes
 //
-// hs_setup_record holds the latter three; with Records > 1 there are so many, which take triangles in
-// turn. Without a plane there is no division: the edges are the setup, and wait where they are until
-// both streams have taken them.
+// hs_setup_record holds the latter three; with Records > 1 there are so many, which take triangles
+// in turn. Without a plane there is no division: the edges are the setup, and wait where they are
+// until both streams have taken them.
 //
 // Interval: SetupInterval cycles, see setup_interval() in hls/formats/setup_interval.hpp, mostly
-// those of the division, which records share; 14 at least, 15 if D < 0; 3 for an empty triangle, 7 if its box is not empty or it is culled. Latency: at
+// those of the division, which records share; 14 at least, 15 if D < 0; 3 for an empty triangle, 7
+// if its box is not empty or it is culled. Latency: at
 // most 45 cycles more. A triangle is taken after it was looked at: ready follows valid. Fork: setup
 // and attributes each stay until taken, and the next record waits for both. Attributes come when
 // the division is done, and not at all for an empty triangle, unless it is the last or all are
@@ -92,7 +93,7 @@ module hs_triangle_setup #(
     localparam int unsigned AttributesBits = $bits(hs_formats_pkg::attributes_t);
     localparam int unsigned EdgesBits = SetupBits + 2 * hs_formats_pkg::CoordBits
         + 6 * hs_formats_pkg::DeltaBits + DepthsBits + ShadeBits;
-    // One bit is 1: the record of the triangle that is looked at, and of the one whose edges are out.
+    // One bit is 1: the record of the triangle that is looked at, and of that whose edges are out.
     logic [Records-1:0] area_turn, edge_turn, areas_ready, edges_ready;
     logic [Records-1:0] setup_valid, setup_ready, attributes_valid, attributes_ready;
     logic [Records*SetupBits-1:0] setup;
@@ -112,8 +113,8 @@ module hs_triangle_setup #(
       logic [DepthsBits-1:0] record_depths;
       logic [ShadeBits-1:0] record_shade;
 
-      // The edges of a triangle wait for its division. Where others divide meanwhile, they wait here
-      // and not in the way of the next.
+      // The edges of a triangle wait for its division: where others divide meanwhile, not in the
+      // way of the next.
       if (Records > 1) begin : gen_waiting
         logic valid_q;
         logic [EdgesBits-1:0] edges_q;

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stamps of pure background past shade_gouraud, in the order of the scan, so that a stamp of several
-// triangles costs no cycle where others have none.
+// Stamps of pure background past shade_gouraud, in the order of the scan, so that a stamp of
+// several triangles costs no cycle where others have none.
 //
 //   scan ─┬─ with a triangle, or last ─► queue ─► shade_gouraud ─► queue ─┐
 //         └─ order ─────────────────────────────► queue ─────────────────┴─► pixel
 //
 // The last stamp of a frame goes through the shader, which changes its bank with it. The words of
 // `pixel` are those of the shader alone.
-// Interval: in the long run the more of a cycle a stamp and a cycle a triangle of a stamp, where the
-// queues, of Depth stamps each, reach from one kind to the other. Latency: 6 cycles more than the
-// shader. Stall: a pixel word stays until taken.
+// Interval: in the long run the more of a cycle a stamp and a cycle a triangle of a stamp, where
+// the queues, of Depth stamps each, reach from one kind to the other. Latency: 6 cycles more than
+// the shader. Stall: a pixel word stays until taken.
 module hs_background_pass #(
   parameter int unsigned LanesX,
   parameter int unsigned LanesY,

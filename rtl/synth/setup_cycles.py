@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What units of setup in turn are worth: the cycles of scenes with each SetupCycles and number of lanes, as the pipeline
-is simulated on them, beside the bound of the frame; and what hs_setup_turns and hs_shade_turns take of a 7-series by
-Yosys, and the cells of their longest path. Rows of a table of Markdown on standard output.
+"""What units of setup in turn are worth: the cycles of scenes with each SetupCycles and number of lanes, as the
+pipeline is simulated on them, beside the bound of the frame; and what hs_setup_turns and hs_shade_turns take of a
+7-series by Yosys, and the cells of their longest path. Rows of a table of Markdown on standard output.
 
     python3 rtl/synth/setup_cycles.py --halfspace build/cli/halfspace --library build/tb/libhalfspace_tb.a \\
       --library build/tb/libhalfspace_verilated.a --work build/setup_cycles teapot castle
@@ -40,8 +40,9 @@ def area_of(args, top, cycles):
     say(f"{top}, SetupCycles {cycles}: synthesis")
     sources = " ".join(str(path) for path in below(top, RTL).values())
     lanes = "-chparam LanesX 1 -chparam LanesY 1" if top == "hs_setup_turns" else ""
-    text = run([args.yosys, "-p", f"read_verilog -sv {args.package} {sources}; hierarchy -top {top} -chparam SetupCycles "
-                f"{cycles} {lanes}; synth_xilinx -family xc7 -noiopad -noclkbuf -flatten; stat; ltp -noff"], top)
+    script = (f"read_verilog -sv {args.package} {sources}; hierarchy -top {top} -chparam SetupCycles {cycles} {lanes}; "
+              "synth_xilinx -family xc7 -noiopad -noclkbuf -flatten; stat; ltp -noff")
+    text = run([args.yosys, "-p", script], top)
     cells = {name: int(count) for name, count in CELLS.findall(text)}
     count = lambda start: sum(n for name, n in cells.items() if name.startswith(start))  # noqa: E731
     return count("LUT"), count("FD"), count("DSP48"), int(PATH.findall(text)[-1])

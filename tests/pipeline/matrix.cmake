@@ -24,6 +24,7 @@ endforeach()
 halfspace_matrix(matrix_long matrix_test.py UNITS pipeline LONG OPTIONS ${scene} --lanes 4 --seeds 10 CASES ${all})
 
 # Several units of setup in turn, and background past the shader; with label `long` each interval.
-halfspace_matrix(setup_cycles setup_cycles_test.py UNITS pipeline OPTIONS --seeds 2 CASES odd-8-4 lit_low-4-4 flat_only-2-2)
+halfspace_matrix(setup_cycles setup_cycles_test.py UNITS pipeline OPTIONS --seeds 2
+                 CASES odd-8-4 lit_low-4-4 flat_only-2-2)
 halfspace_matrix(setup_cycles_long setup_cycles_test.py UNITS pipeline LONG OPTIONS --seeds 5
                  CASES odd-1-16 odd-2-4 odd-4-1 odd-16-2 lit_low-8-4 gamma_odd-16-4 gamma_tiny-2-1 tiny-1-1 tiny-4-8)
