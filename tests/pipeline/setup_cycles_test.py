@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Co-simulates the setup and the pipeline with several units of setup in turn, each CASE being CONFIG-CYCLES-LANES,
 as odd-8-4, of a configuration of tests/configs and the interval that is asked for (SetupCycles): under several stall
-seeds, and without stalls, where triangles that are not empty take that interval on the average (not where the frame is too
-small for them, or there is lighting).
+seeds, and without stalls, where triangles that are not empty take that interval on the average (not where the frame is
+too small for them, or there is lighting).
 Usage: setup_cycles_test.py HALFSPACE FOLDER CASE … --library A.a --library B.a [--seeds N]"""
 import json
 import sys
