@@ -50,7 +50,8 @@ def project(root):
 
 
 def filesets(rtl=RTL):
-    """{name: paths below the root of the project}: the pipeline, and what each module beside it has besides."""
+    """{name: paths below the root of the project}: the pipeline, and what each module beside it or around it has
+    besides."""
     sets, listed = {}, set()
     for top in (TOP, *(f"hs_{unit}" for unit in (*BESIDE, *WHOLES))):
         new = {stem: path for stem, path in closure(top, rtl).items() if stem not in listed}

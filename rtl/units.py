@@ -29,7 +29,7 @@ HAVE = {"index_pool": INDICES, "ztest_index": lambda c: not GAMMA(c), "ztest_pla
 # Not in the pipeline: memories lie between; what it is a part of; and what stands in its place where there are films.
 BESIDE = ("motion_compensate", "ztest_merge", "static_run", "static_frames", "up_convert")
 # What units are put together in besides, and is none: it has no words in vector sets.
-WHOLES = ("board",)
+WHOLES = ("board", "system")
 
 
 def units():

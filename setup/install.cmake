@@ -32,7 +32,7 @@ if(HALFSPACE_KERNELS_ONLY)
 endif()
 
 # --- the rest: a tree like that of the sources, with the files that the program calls and those of other tools ---
-install(DIRECTORY rtl tb DESTINATION ${data} COMPONENT rtl
+install(DIRECTORY rtl tb driver DESTINATION ${data} COMPONENT rtl
   PATTERN CMakeLists.txt EXCLUDE PATTERN faults EXCLUDE PATTERN __pycache__ EXCLUDE)
 install(FILES hls/units.txt DESTINATION ${data}/hls COMPONENT rtl)
 install(FILES halfspace.core Bender.yml DESTINATION ${data} COMPONENT rtl)

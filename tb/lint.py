@@ -14,10 +14,11 @@ import sys
 
 TB = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(TB.parent / "rtl"))
-from units import FILM, RTL, WHOLES, below, constants, has, parameters, sources, units  # noqa: E402
+from units import FILM, MOTION, OBJECTS, RTL, WHOLES, below, constants, has, parameters, sources, units  # noqa: E402
 
 CONFIGS = ["low", "middle", "high"]
 LANES = [1, 4, 16]
+COMPOSED = ["pipeline", "system"]  # no units
 
 
 def lint(args, package, top, lanes):
@@ -36,9 +37,10 @@ def tops_of(package, chosen):
     """The chosen units that a configuration has; each has the pipeline, which has most of the others in it, or of a
     film what stands in its place."""
     numbers = constants(package.read_text())
+    chosen = [unit for unit in chosen if unit != "system" or not (MOTION(numbers) or OBJECTS(numbers))]
     whole = "up_convert" if FILM(numbers) else "pipeline"
     return [f"hs_{whole if unit == 'pipeline' else unit}" for unit in chosen
-            if unit == "pipeline" or (has(unit, numbers) and unit != whole)]
+            if unit in COMPOSED or (has(unit, numbers) and unit != whole)]
 
 
 def lanes_of(module, package):
@@ -52,8 +54,8 @@ def main():
     parser.add_argument("--verilator", default="verilator", help="the program (default: %(default)s)")
     parser.add_argument("--package", type=pathlib.Path, action="append",
                         help="of a configuration (default: low, middle, high)")
-    parser.add_argument("--units", nargs="+", choices=[*units(), "pipeline"], default=[*units(), "pipeline"],
-                        metavar="UNIT", help="these alone (default: all, and the pipeline)")
+    parser.add_argument("--units", nargs="+", choices=[*units(), *COMPOSED], default=[*units(), *COMPOSED],
+                        metavar="UNIT", help="these alone (default: all, the pipeline and the system)")
     parser.add_argument("--rtl", type=pathlib.Path, default=RTL)
     args = parser.parse_args()
     packages = args.package or [args.rtl / "formats" / config / "hs_formats_pkg.sv" for config in CONFIGS]

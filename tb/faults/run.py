@@ -25,6 +25,7 @@ from model import LANES, Broken, build, parameter, run  # noqa: E402
 from units import below  # noqa: E402
 
 KEYS = ["why", "file", "find", "with", "unit", "says"]
+OPTION = "options"  # of the bench, besides: where a fault shows only under these
 BENCH = re.compile(r"^(?:bench (\w+)|cosim) \S+ \w+: (\d+) words on \d+ streams compared, (\d+) mismatches, "
                    r"(?:(\d+) missing, )?\d+ cycles$", re.MULTILINE)
 FAIL = re.compile(r"^FAIL (\w+): (.*)$", re.MULTILINE)
@@ -38,7 +39,7 @@ def read_faults(path):
         key, _, value = line.partition(" ")
         if key == "fault":
             faults.append({"name": value.strip()})
-        elif key in KEYS and faults:
+        elif key in (*KEYS, OPTION) and faults:
             faults[-1][key] = value.strip()
         else:
             raise Broken(f"{path}:{number}: '{key}' is none of fault, {', '.join(KEYS)}")
@@ -80,13 +81,13 @@ def parameters_of(args, top):
     return {name: value for name, value in args.parameter if f"parameter int unsigned {name} " in text}
 
 
-def try_unit(args, unit, says, work):
+def try_unit(args, unit, says, work, options):
     """What is wrong with the bench of the unit in a copy of the RTL, or ''; and what it reports."""
     package = args.package or work / "rtl" / "formats" / args.config / "hs_formats_pkg.sv"
     bench = build(package, args.lanes, f"hs_{unit}", work / unit, args.library, rtl=work / "rtl",
                   verilator=args.verilator, cxx=args.cxx, chosen=parameters_of(args, f"hs_{unit}"))
-    result = subprocess.run([bench, args.vectors, "--stall", "30", "--seed", "1"], capture_output=True, text=True,
-                            timeout=600)
+    command = [bench, args.vectors, "--stall", "30", "--seed", "1", *options]
+    result = subprocess.run(command, capture_output=True, text=True, timeout=600)
     output = result.stdout + result.stderr
     (work / f"{unit}.txt").write_text(output)
     return judge(unit, output, result.returncode, says), [text for _, text in FAIL.findall(output)]
@@ -111,7 +112,8 @@ def try_fault(args, fault):
         if fault:
             seed_fault(fault, work / "rtl")
         for unit in touched:
-            found, reports = try_unit(args, unit, fault["says"] if unit in guilty else None, work)
+            found, reports = try_unit(args, unit, fault["says"] if unit in guilty else None, work,
+                                      fault.get(OPTION, "").split() if fault else [])
             wrong = wrong or found
             if unit in guilty and reports:
                 said = reports[0]

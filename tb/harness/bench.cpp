@@ -132,6 +132,7 @@ void Bench::look() {
 bool Bench::step() {
   for (Sender& sender : senders_) sender.drive();
   for (Receiver& receiver : receivers_) receiver.drive();
+  for (Partner* partner : partners_) partner->drive();
   *clock_ = 0;
   model_->eval();
   model_->show(life_, cycle_, false);
@@ -144,6 +145,10 @@ bool Bench::step() {
   for (Receiver& receiver : receivers_) moved |= receiver.sample(cycle_);
   if (has_timeline_ && (moved || first_move_ != 0)) note_streams();
   for (Memory& memory : memories_) memory.sample();
+  for (Partner* partner : partners_) {
+    partner->sample();
+    for (const std::string& what : partner->take_failures()) fail(what);
+  }
   *clock_ = 1;
   model_->eval();
   model_->show(life_, cycle_, true);

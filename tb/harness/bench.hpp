@@ -20,6 +20,7 @@
 #include "tb/report/accesses.hpp"
 #include "tb/report/rates.hpp"
 #include "tb/report/timeline.hpp"
+#include "tb/system/partner.hpp"
 
 namespace halfspace::tb {
 
@@ -101,6 +102,8 @@ class Bench {
   Sender& add_sender(const Wires& wires, const std::string& name);
   Receiver& add_receiver(const Stream& stream, const std::string& port = "");
   Memory& add_memory(const MemoryPorts& ports);
+  // It is driven and looks in every cycle, and lives as long as the bench.
+  void add_partner(Partner* partner) { partners_.push_back(partner); }
 
   // Outputs that have to be 0 in each cycle.
   void keep_zero(std::vector<const Port*> ports) { zeros_ = std::move(ports); }
@@ -164,6 +167,7 @@ class Bench {
   std::vector<const Port*> zeros_;
   std::function<std::string()> look_;
   bool looked_wrong_ = false;
+  std::vector<Partner*> partners_;
   std::vector<std::string> failures_;
   std::uint64_t cycle_ = 0, first_move_ = 0, last_move_ = 0, moves_ = 0, stalled_ = 0;
   std::chrono::steady_clock::time_point told_ = std::chrono::steady_clock::now();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program around one Verilated model: of a unit its bench, of hs_pipeline, hs_static_frames and hs_up_convert the
-// co-simulation.
+// The program around one Verilated model: of a unit its bench, of hs_pipeline, hs_system, hs_static_frames and
+// hs_up_convert the co-simulation.
 #include <algorithm>
 #include <cstdio>
 #include <set>
@@ -14,6 +14,7 @@
 #include "tb/report/picture.hpp"
 #include "tb/report/report.hpp"
 #include "tb/report/wave.hpp"
+#include "tb/system/system.hpp"
 
 namespace halfspace::tb {
 namespace {
@@ -103,6 +104,24 @@ Result run_cosim(Model* model, Vectors* vectors, const Options& options) {
   return result;
 }
 
+Result run_board(Model* model, Vectors* vectors, const Options& options) {
+  std::set<std::string> names;
+  for (const Stream& stream : vectors->streams) names.insert(stream.name);
+  load_streams(names, vectors);
+  Picture last;
+  const Result result = run_system(model, *vectors, options, &last);
+  if (options.only_wave) return result;
+  print_result(*vectors, result);
+  report(*vectors, options, {result});
+  if (options.pictures.empty()) return result;
+  std::string rgba;
+  for (const std::uint32_t pixel : last.pixels) {
+    rgba += {char(pixel >> 16), char(pixel >> 8), char(pixel), char(255)};
+  }
+  write_file(options.pictures + "/frame_rtl.png", png_of(last.width, last.height, rgba));
+  return result;
+}
+
 // A pipeline clears its buffers after a reset, which takes longer than small frames: seeds take turns.
 Start start_of(const Options& options, bool unit) {
   const Start turns[] = {Start::kOnes, Start::kRandom, Start::kZeros};
@@ -110,7 +129,8 @@ Start start_of(const Options& options, bool unit) {
 }
 
 int run(int argc, char** argv) {
-  const bool unit = model_top() != "hs_pipeline" && model_top() != "hs_up_convert";
+  const bool system = model_top() == "hs_system";
+  const bool unit = model_top() != "hs_pipeline" && model_top() != "hs_up_convert" && !system;
   const Options options = parse_options(argc, argv, model_top());
   if (options.json == "-") give_standard_output_to_files();
   Vectors vectors = load_manifest(options.vectors);
@@ -122,6 +142,7 @@ int run(int argc, char** argv) {
                 static_cast<unsigned long long>(options.seed), options.stall, options.vectors.c_str());
   const auto run = [&](Model* of) {
     if (model_top() == "hs_static_frames" || model_top() == "hs_up_convert") return run_sequence(of, &vectors, options);
+    if (system) return run_board(of, &vectors, options);
     return unit ? run_bench(*of, &vectors, options) : run_cosim(of, &vectors, options);
   };
   const Result result = run(model.get());

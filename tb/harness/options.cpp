@@ -24,13 +24,23 @@ constexpr const char* kPipelineHelp =
     "  tb_pipeline_middle_4 v --stall 30 --seed 7     random stalls on both sides\n"
     "  tb_pipeline_middle_4 v --dump frame.rgba8      the picture that the RTL drew\n";
 
+constexpr const char* kSystemHelp =
+    "Draws the frames of a vector set with hs_system: the driver writes triangles and commands into a memory and into\n"
+    "registers, through the simulated bus. Holds every stream inside and every pixel of the video against the set, "
+    "and\n"
+    "each channel against its rules. Prints cycles, and the bytes that each client moved.\n\n"
+    "  halfspace vectors teapot --config middle --lanes 4 --no-corners --out v\n"
+    "  tb_system_middle_4 v --latency 100\n"
+    "  tb_system_middle_4 v --stall 30 --seed 7 --break-read 12   first a frame that an error ends\n";
+
 }  // namespace
 
 Options parse_options(int argc, char** argv, const std::string& top) {
-  const bool unit = top != "hs_pipeline";
+  const bool system = top == "hs_system";
+  const bool unit = top != "hs_pipeline" && !system;
   Options options;
   if (unit) options.stall = 30;
-  CLI::App app(unit ? kUnitHelp : kPipelineHelp);
+  CLI::App app(unit ? kUnitHelp : system ? kSystemHelp : kPipelineHelp);
   app.add_option("vectors", options.vectors, "Folder with manifest.json and the .hex files")->required();
   app.add_option("--seed", options.seed, "Seed of the stalls and of memories without a reset (default 1)");
   app.add_option("--stall", options.stall,
@@ -48,7 +58,18 @@ Options parse_options(int argc, char** argv, const std::string& top) {
   app.add_option("--around", options.around, "Cycles of --wave before the failure and behind it (default 200)")
       ->check(CLI::Range(1, 1000000));
   app.add_flag("--only-wave", options.only_wave)->group("");
-  if (!unit) {
+  if (system) {
+    app.add_option("--latency", options.latency, "Cycles of the memory to its first word (default 40)")
+        ->check(CLI::Range(1, 10000));
+    app.add_flag("--refresh,!--no-refresh", options.refresh, "The memory rests 32 cycles of 1024 (default), or not");
+    app.add_option("--stop-at", options.stop_at, "First a list that is stopped after so many cycles");
+    app.add_option("--reset-at", options.reset_at, "First a list in whose midst all is reset");
+    app.add_option("--break-read", options.break_read, "First a list in which this burst that reads has an error");
+    app.add_option("--break-write", options.break_write, "First a list in which this burst that writes has one");
+  }
+  if (system) {
+    app.add_option("--pictures", options.pictures, "Folder for frame_rtl.png, the last frame of the video");
+  } else if (!unit) {
     app.add_option("--frames", options.frames,
                    "Draw the last frame of the set N times, back to back (default 2: the second one gives the "
                    "cycles of a frame)")

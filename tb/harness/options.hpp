@@ -23,6 +23,11 @@ struct Options {
   int setup_interval = 0;  // cycles a triangle; 0: that of the package
   std::string dump, dump_index;
   std::string pictures;  // a folder
+  // hs_system only:
+  int latency = 40;     // cycles of the memory
+  bool refresh = true;  // it pauses now and then
+  // 0: not. The first list is stopped, or all is reset, after so many cycles; or this burst is answered with an error.
+  std::uint64_t stop_at = 0, reset_at = 0, break_read = 0, break_write = 0;
 };
 
 // Exits by itself for --help (0) and for a wrong command line (2).

@@ -9,7 +9,7 @@ import sys
 import tempfile
 
 # Which floors a floor may include from, besides itself. The bench sees vector files and Verilated models alone.
-FLOORS = {"ref": "", "hls": "", "tb": "", "model": "ref hls", "vectors": "model ref hls",
+FLOORS = {"ref": "", "hls": "", "driver": "", "tb": "driver", "model": "ref hls", "vectors": "model ref hls",
           "study": "vectors model ref hls",
           "cli": "study vectors model ref tb", "tests": "study vectors model ref hls"}
 # The rooms of a floor, lowest first: a room includes from itself and from rooms before it. Rooms with a + between them
@@ -114,7 +114,7 @@ WRONG = {"ref/scene/a.hpp": ('#include "hls/numbers/n.hpp"', "ref/ knows no othe
          "hls/numbers/b.hpp": ('#include "hls/shade/s.hpp"', "hls/numbers comes before hls/shade"),
          "hls/shade/c.hpp": ('#include "hls/attic/t.hpp"', "hls/attic has no place"),
          "hls/shade/u.hpp": ('#include "hls/ztest/v.hpp"', "a unit must not know another"),
-         "tb/d.cpp": ('#include "model/formats/m.hpp"', "tb/ knows no other floor"),
+         "tb/d.cpp": ('#include "model/formats/m.hpp"', "tb/ knows driver alone"),
          "cli/common/e.cpp": ('#include "hls/numbers/n.hpp"', "cli/ knows study, vectors, model, ref, tb alone"),
          "model/formats/f.cpp": ('#include "model/pipeline/gone.hpp"', "there is no such file"),
          "rtl/ztest/hs_g.sv": ("  hs_s u_s (", "rtl/ztest comes before rtl/shade"),
