@@ -77,9 +77,12 @@ class Bench:
         if not package.exists():
             run([args.halfspace, "package", "--config", path, "-o", package], "halfspace package")
         self.vectors = args.work / "vectors" / f"{config}_{lanes}_{scene}"
-        if not self.vectors.exists():
-            run([args.halfspace, "vectors", scene, "--config", path, "--lanes", lanes, "--out", self.vectors],
-                "halfspace vectors")
+        if not self.vectors.exists() and scene == "words":
+            run([sys.executable, args.words, package, self.vectors, lanes], args.words)
+        elif not self.vectors.exists():
+            scene, *options = scene.split("+")
+            run([args.halfspace, "vectors", scene, "--config", path, "--lanes", lanes, "--out", self.vectors,
+                 *options], "halfspace vectors")
         self.work = args.work / unit / name.replace(":", "_").replace("/", "_")
         shutil.rmtree(self.work, ignore_errors=True)
         shutil.copytree(args.rtl, self.work / "rtl")
@@ -192,6 +195,8 @@ def main():
     parser.add_argument("--work", type=pathlib.Path, required=True, help="folder for copies and models")
     parser.add_argument("--benches", type=pathlib.Path, default=TB / "faults" / "benches.list")
     parser.add_argument("--reasons", type=pathlib.Path, default=TB / "faults" / "equivalent.list")
+    parser.add_argument("--words", type=pathlib.Path, default=TB.parent / "tests" / "motion" / "film_words.py",
+                        help="the script that makes the words of SCENE `words`")
     parser.add_argument("--seconds", type=int, default=60, help="of a run (default: %(default)s)")
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--keep", action="store_true", help="keep the models")

@@ -90,23 +90,36 @@ void Sender::offer() {
   std::memcpy(wires_.data->data, segments_[current_].stream->words[position_], std::size_t(wires_.data->bytes));
 }
 
-// The data of no word: the complement of the last, or the next one too early, so that a unit that looks at it without
-// valid gives itself away.
-void Sender::withdraw() {
-  *wires_.valid->bit() = 0;
-  if (!done() && early_.next() % 2) {
-    std::memcpy(wires_.data->data, segments_[current_].stream->words[position_], std::size_t(wires_.data->bytes));
-    return;
-  }
-  complement();
-}
-
-void Sender::complement() {
+template <class Changed>
+void Sender::change(Changed changed) {
   auto* const bytes = static_cast<std::uint8_t*>(wires_.data->data);
   for (int i = 0; i < wires_.data->bytes; ++i) {
     const int used = wires_.data->bits - 8 * i;
-    bytes[i] = used >= 8 ? std::uint8_t(~bytes[i]) : used > 0 ? std::uint8_t(~bytes[i] & ((1 << used) - 1)) : 0;
+    const std::uint8_t byte = changed(bytes[i]);
+    bytes[i] = used >= 8 ? byte : used > 0 ? std::uint8_t(byte & ((1 << used) - 1)) : 0;
   }
+}
+
+// The data of no word, so that a unit that looks at it without valid gives itself away: the next one too early, the
+// complement of the last, or the last with a bit changed in half of its bytes, so that fields that choose what it is
+// for may stay and others do not.
+void Sender::withdraw() {
+  *wires_.valid->bit() = 0;
+  const std::uint64_t kind = early_.next() % 4;
+  if (!done() && kind < 2) {
+    std::memcpy(wires_.data->data, segments_[current_].stream->words[position_], std::size_t(wires_.data->bytes));
+  } else if (kind == 2) {
+    complement();
+  } else {
+    change([&](std::uint8_t byte) {
+      const std::uint64_t draw = early_.next();
+      return std::uint8_t(byte ^ ((draw & 8) != 0 ? 1 << (draw & 7) : 0));
+    });
+  }
+}
+
+void Sender::complement() {
+  change([](std::uint8_t byte) { return std::uint8_t(~byte); });
 }
 
 bool Sender::sample() {

@@ -74,6 +74,9 @@ class Sender {
   void offer();
   void withdraw();
   void complement();
+  // Each byte of the port that is driven.
+  template <class Changed>
+  void change(Changed changed);
 
   Wires wires_;
   std::string name_;

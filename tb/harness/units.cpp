@@ -47,6 +47,7 @@ class UnitBench {
     kept_ = Kept{add(kHoleMarks), add(kKeyFrames), add(kFilmBuffer)};
     if (model->find("show_valid_i")) {
       tokens_.name = "show";
+      clears_ = &model->need("film_write_en_o", 1);
       const auto port = [&](const char* name, int bits) { return &model->need(name, bits); };
       shows_ = &bench_.add_sender({port("show_i", 2), port("show_valid_i", 1), port("show_ready_o", 1)}, "show");
       tokens_.words = Words(2);
@@ -77,6 +78,7 @@ class UnitBench {
 
   // A frame with words at every end, any from `turn` shares of the set on: until a cycle in the midst of it, or all.
   void run_part(bool whole, unsigned turn, const std::string& note, Result* result) {
+    result->unit = bench_.name();
     bench_.reset();
     const std::size_t frames = vectors_.frames.size();
     std::size_t frame = frames * turn / turns_of(vectors_);
@@ -196,8 +198,10 @@ class UnitBench {
       receivers_[i]->expect(segment_of(*plan_.sends[i].stream, frame));
     }
     if (shows_ == nullptr) return;
-    for (const std::uint32_t token : kept_.shows(vectors_, frame))
+    for (const std::uint32_t token : kept_.shows(vectors_, frame)) {
       shows_->send({&tokens_, token, token + 1, frame, ""});
+      shown_.push_back(token);
+    }
   }
 
   // The scan itself, a second one that has to find the buffer cleared, and once a clear without a scan.
@@ -312,6 +316,9 @@ class UnitBench {
   bool ends() {
     if (starts_ && *starts_->bit() != 0 && *receivers_[0]->wires().valid->bit() != 0)
       bench_.fail("protocol: start is taken before the last word of the pass before");
+    // The next frame may be in the film buffer while a key frame is shown.
+    if (shows_ && shows_->words() != 0 && shown_[shows_->words() - 1] < 2 && *clears_->bit() != 0)
+      bench_.fail("protocol: the film buffer is cleared while a key frame is shown");
     return bench_.all_done();
   }
 
@@ -342,6 +349,8 @@ class UnitBench {
   Kept kept_;
   Sender* shows_ = nullptr;
   const Port* starts_ = nullptr;  // of scan_index: whether it takes a token
+  const Port* clears_ = nullptr;  // of film_scan, and its tokens
+  std::vector<std::uint32_t> shown_;
   int shading_bank_ = 0;
   std::uint64_t cycles_ = 0;
   Random random_;

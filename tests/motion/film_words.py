@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Random words for the units of a film, from what they are to do and not from the kernels: frames that show nothing,
-frames without holes and with many, edges that no tile and no stamp ends at. A vector set with no more streams than
-these units have. Usage: film_words.py PACKAGE OUT LANES [SEED]"""
+frames without holes and with many, of one face or of one tile, edges that a tile ends at, or that it ends a pixel
+before, the last index and behind it a triangle without one, a face whose upper bit alone is set. A vector set with no
+more streams than these units have. Usage: film_words.py PACKAGE OUT LANES [SEED]"""
 import json
 import pathlib
 import random
@@ -13,7 +14,7 @@ sys.dont_write_bytecode = True  # no __pycache__ between the sources
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "rtl"))
 from units import CONFIG, LANES, constants  # noqa: E402
 
-WIDTH, HEIGHT, BACKGROUND, TILE = 37, 22, [16, 24, 40], 8
+SIZES, BACKGROUND, TILE = [(37, 22), (32, 24), (33, 17), (5, 3)], [16, 24, 40], 8
 
 
 def layouts(text, c, lanes):
@@ -41,11 +42,12 @@ class Film:
         self.draw, self.numbers, (self.lanes_x, self.lanes_y) = random.Random(seed), constants(text), LANES[lanes]
         self.layouts = layouts(text, self.numbers, lanes)
         self.words = {name: [] for name in self.layouts}
-        self.passes, self.counts, self.slots = [], [], [{}, {}]
+        self.passes, self.counts, self.slots, self.keys = [], [], [{}, {}], 0
+        self.width = self.height = 0
 
     def begin(self, kind):
-        self.passes.append({"width": WIDTH, "height": HEIGHT, "background": BACKGROUND, "triangles": 1, "pass": kind,
-                            "interval": 0, "field": 1, "weight": 1})
+        self.passes.append({"width": self.width, "height": self.height, "background": BACKGROUND,
+                            "triangles": 1, "pass": kind, "interval": 0, "field": 1, "weight": 1})
         self.counts.append(dict.fromkeys(self.layouts, 0))
 
     def put(self, name, **values):
@@ -61,25 +63,31 @@ class Film:
     def colour(self):
         return [self.draw.randrange(1 << self.numbers["ColourBits"]) for _ in range(3)]
 
-    def triangles(self):
-        most = (1 << self.numbers["FaceBits"]) - 1
-        number = self.draw.randrange(1, 9)
-        faces = [0] + [self.draw.randrange(1, 6) if self.draw.random() < 0.7 else self.draw.randint(1, most)
-                       for _ in range(number)]
+    def face(self):
+        bits = self.numbers["FaceBits"]
+        return self.draw.choice([*range(1, 6), *range(1, 6), 1 << (bits - 1), self.draw.randrange(1, 1 << bits)])
+
+    def triangles(self, face=None):
+        """{index: face}, the last index first."""
+        indices = [self.numbers["Triangles"], *range(1, self.draw.randrange(2, 9))]
+        faces = {index: face or self.face() for index in indices}
         self.again(faces)
         return faces
 
     def again(self, faces):
-        for index in range(1, len(faces)):
-            self.put("triangle", last=index == len(faces) - 1, index=index, face=faces[index])
+        for index, face in faces.items():
+            self.put("triangle", last=index == len(faces) - 1, index=index, face=face)
+            if index == self.numbers["Triangles"]:
+                self.put("triangle", face=self.face())
 
-    def picture(self, faces, share):
-        return {(x, y): self.draw.randrange(1, len(faces)) if self.draw.random() < share else 0
-                for x in range(WIDTH) for y in range(HEIGHT)}
+    def picture(self, faces, share, places=lambda x, y: True):
+        indices = sorted(faces)
+        return {(x, y): self.draw.choice(indices) if self.draw.random() < share and places(x, y) else 0
+                for x in range(self.width) for y in range(self.height)}
 
     def stamps(self, shows, holes=None):
         """[(last, x, y, [index of a lane])]; with holes, of these alone."""
-        right, low, out = -(-WIDTH // self.lanes_x), -(-HEIGHT // self.lanes_y), []
+        right, low, out = -(-self.width // self.lanes_x), -(-self.height // self.lanes_y), []
         for y in range(low):
             for x in range(right):
                 places = self.places(x, y)
@@ -108,39 +116,44 @@ class Film:
             colours = [self.colour() if shown else BACKGROUND for shown in index]
             self.put("pixel", last=last, x=x, y=y, **{c: [rgb[n] for rgb in colours] for n, c in enumerate("rgb")})
             inside = [(place, i, rgb) for place, i, rgb in zip(self.places(x, y), index, colours)
-                      if place[0] < WIDTH and place[1] < HEIGHT]
+                      if place[0] < self.width and place[1] < self.height]
             for place, i, rgb in inside:
                 self.put("shown", last=last and place == inside[-1][0], x=place[0], y=place[1], shown=i != 0,
-                         face=faces[i], r=rgb[0], g=rgb[1], b=rgb[2])
+                         face=faces[i] if i else 0, r=rgb[0], g=rgb[1], b=rgb[2])
                 seen[place] = (i, rgb)
         return seen
 
     def show(self, seen):
-        for y in range(HEIGHT):
-            for x in range(WIDTH):
+        for y in range(self.height):
+            for x in range(self.width):
                 r, g, b = seen.get((x, y), BACKGROUND)
-                self.put("film", last=x == WIDTH - 1 and y == HEIGHT - 1, x=x, y=y, r=r, g=g, b=b)
+                self.put("film", last=x == self.width - 1 and y == self.height - 1, x=x, y=y, r=r, g=g, b=b)
 
-    def key(self, slot):
+    def key(self, shows):
+        """`shows`: as the first one, whose frame nothing was before."""
         self.begin("key")
         faces = self.triangles()
         seen = self.shade(self.scan(self.picture(faces, 0.6)), faces)
+        slot, self.keys = self.keys % 2, self.keys + 1
         self.slots[slot] = {place: rgb for place, (_, rgb) in seen.items()}
-        if len(self.passes) == 1:
+        if shows:
             self.show(self.slots[slot])
 
-    def between(self, holes, share, second):
-        """Of the pixels that show a face a share is holes. `second`: the slot that is shown behind it, or None."""
+    def between(self, holes, share, ends=False, face=None, places=lambda x, y: True):
+        """Of the pixels that show a face a share is holes. `ends`: the interval, and its second key is shown. `face`:
+        of all triangles; `places`: that show some."""
         self.begin("between")
-        faces, draw = self.triangles(), self.draw
-        shows = self.picture(faces, share)
+        draw, second = self.draw, (self.keys - 1) % 2 if ends else None
+        faces = self.triangles(face)
+        shows = self.picture(faces, share, places)
         words = [(x, y, faces[shows[x, y]], draw.getrandbits(999), draw.getrandbits(999))
                  for _, a, b, _ in self.scan(shows) for x, y in self.places(a, b) if shows.get((x, y))]
-        ends = not words or draw.random() < 0.5
+        stops = not words or draw.random() < 0.5
         for n, (x, y, face, key_0, key_1) in enumerate(words):
-            self.put("motion", last=n == len(words) - 1 and not ends, x=x, y=y, face=face, key_0=key_0, key_1=key_1)
-        if ends:
-            self.put("motion", last=1, x=WIDTH - 1, y=HEIGHT - 1)
+            self.put("motion", last=n == len(words) - 1 and not stops, x=x, y=y, face=face, key_0=key_0, key_1=key_1)
+        if stops:
+            self.put("motion", last=1, x=self.width - 1, y=self.height - 1, key_0=draw.getrandbits(999),
+                     key_1=draw.getrandbits(999))
         words.sort(key=lambda word: (word[1] // TILE, word[0] // TILE, word[1], word[0]))
         words = words or [(0, 0, 0, 0, 0)]
         film, marked, asked = {}, set(), []
@@ -193,14 +206,22 @@ def main():
     text = pathlib.Path(sys.argv[1]).read_text()
     seed = int(sys.argv[4]) if len(sys.argv) > 4 else 1
     film = Film(text, int(sys.argv[3]), seed)
-    film.key(0)
-    slot = 1
-    for covered in (0, 0.3, 0.3):
-        film.key(slot)
-        film.between(0.2, 0.6, None)
-        film.between(0, 0.5, None)
-        film.between(0.5, covered, slot)
-        slot ^= 1
+    for width, height in SIZES:
+        film.width, film.height = width, height
+        last_tile = lambda x, y: x // TILE == (width - 1) // TILE and y // TILE == (height - 1) // TILE  # noqa: E731
+        first_tile = lambda x, y: x < TILE and y < TILE  # noqa: E731
+        film.key(True)
+        for covered in (0, 0.3, 0.3) if width == SIZES[0][0] else (0.3,):
+            film.key(False)
+            film.between(0.2, 0.6)
+            film.between(0, 0.5)
+            film.between(0.3, 0.1, places=last_tile)
+            film.between(0.3, 0.5, places=first_tile)
+            film.between(0.5, covered, ends=True)
+    # The same face at the end of a frame and at the begin of the next one.
+    film.key(False)
+    for _ in range(8):
+        film.between(1, 0.7, face=3)
     film.write(pathlib.Path(sys.argv[2]), CONFIG.search(text).group(1), seed)
     return 0
 
