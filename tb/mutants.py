@@ -92,7 +92,8 @@ class Reader:
         if word == "case":
             at = closed(self.text, self.text.index("(", at))
             while self.word(at := self.skip(at)) != "endcase":
-                at = self.statement(self.text.index(":", at) + 1, clocked)
+                label = re.compile(r"(?<![:+-]):(?!:)").search(self.text, at)  # not that of a package or a slice
+                at = self.statement(label.end(), clocked)
             return at + 7
         if word == "assert":
             return self.text.index(";", at) + 1

@@ -21,13 +21,14 @@ import sys
 TB = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(TB))
 import mutants  # noqa: E402
-from model import Broken, build, run  # noqa: E402
+from model import Broken, build, parameter, run  # noqa: E402
 from units import RTL, below, sources  # noqa: E402
 
 RUNS = ((1, 35), (2, 35), (3, 75), (1, 0))  # seed, stall
 LAST = re.compile(r"compared, (\d+) mismatches, (?:(\d+) missing, )?(\d+) cycles$", re.MULTILINE)
 FAIL = re.compile(r"^FAIL \w+: (.*)$", re.MULTILINE)
 WHOLE = ("pipeline", "up_convert", "static_frames")  # units that have others in them
+OTHERS = ("board", "system")  # rooms whose benches are others
 # Where a model asks for the number: of those that it does not ask for it has no code.
 ASKS = re.compile(r"(0x[0-9a-f]+|\d+)U\s*[=!]=\s*vlSymsp->\w*hs_mutant(?:\.|->)number")
 
@@ -38,11 +39,11 @@ def lines_of(path):
 
 def modules_of(benches):
     """{unit: (names of modules, names of benches)}; each module of rtl/ in which there is something to change has one
-    unit."""
+    unit, but for rooms with benches of their own."""
     cells = [line.split(" | ") for line in lines_of(benches)]
     rows = {unit: (modules.split(), names.split()) for unit, modules, names in cells}
     named = [name for modules, _ in rows.values() for name in modules]
-    every = {stem.removeprefix("hs_"): path for stem, path in sources().items()}
+    every = {stem.removeprefix("hs_"): path for stem, path in sources().items() if path.parent.name not in OTHERS}
     wrong = set(named) - set(every) | {name for name in named if named.count(name) > 1}
     wrong |= {name for name in set(every) - set(named) if mutants.mutants(every[name].read_text())}
     if wrong:
@@ -63,12 +64,12 @@ def chosen_of(rows, units, modules, count, seed):
 
 
 class Bench:
-    """The model of a unit in a configuration, with mutants in it; `name`: CONFIG, CONFIG/LANES or CONFIG/LANES/SCENE,
-    and before it UNIT: that of another unit."""
+    """The model of a unit in a configuration, with mutants in it; `name`: CONFIG/LANES/SCENE/PARAMETER=VALUE,… or the
+    begin of it, and before it UNIT: that of another unit."""
 
     def __init__(self, args, unit, name, chosen):
         other, _, rest = name.rpartition(":")
-        config, lanes, scene = (*rest.split("/"), "", "")[:3]
+        config, lanes, scene, given = (*rest.split("/"), "", "", "")[:4]
         self.args, self.unit, self.name = args, other or unit, name
         self.own = self.unit == unit or self.unit not in WHOLE
         lanes, scene = int(lanes or 4), scene or "standard"
@@ -95,7 +96,7 @@ class Bench:
         first.write_text(mutants.SOURCE + first.read_text())
         model = self.work / "model"
         build(package, lanes, f"hs_{self.unit}", model, args.library, rtl=self.work / "rtl", verilator=args.verilator,
-              cxx=args.cxx, optimize="-O1")
+              cxx=args.cxx, optimize="-O1", chosen=dict(parameter(each) for each in given.split(",") if each))
         code = "".join(file.read_text() for file in model.glob("Vmodel*.cpp"))
         self.has = {int(number, 0) for number in ASKS.findall(code)}
         self.pace = {}
