@@ -7,8 +7,8 @@
 // next unit waits for both. Interval 1, latency 0.
 module hs_setup_collect #(
   parameter int unsigned Turns,
-  localparam int unsigned SetupBits = $bits(hs_formats_pkg::setup_t),
-  localparam int unsigned AttributesBits = $bits(hs_formats_pkg::attributes_t)
+  parameter int unsigned SetupBits,       // of setup_t and attributes_t
+  parameter int unsigned AttributesBits
 ) (
   input  logic                            clk_i,
   input  logic                            rst_ni,

@@ -44,8 +44,8 @@ module hs_setup_turns #(
   localparam int unsigned OfRecords = (Interval + Records - 1) / Records;
   localparam int unsigned OfUnit = Records > 1 && OfRecords < Edges ? Edges : OfRecords;
   localparam int unsigned Units = (OfUnit + SetupCycles - 1) / SetupCycles;
-  localparam int unsigned SetupBits = $bits(hs_formats_pkg::setup_t);
-  localparam int unsigned AttributesBits = $bits(hs_formats_pkg::attributes_t);
+  localparam int unsigned SetupBits = $bits(setup_o);
+  localparam int unsigned AttributesBits = $bits(attributes_o);
 
   if (Units == 1) begin : gen_alone
     hs_triangle_setup #(
@@ -118,7 +118,9 @@ module hs_setup_turns #(
     end
 
     hs_setup_collect #(
-      .Turns(Units)
+      .Turns         (Units),
+      .SetupBits     (SetupBits),
+      .AttributesBits(AttributesBits)
     ) u_collect (
       .clk_i             (clk_i),
       .rst_ni            (rst_ni),

@@ -89,8 +89,8 @@ module hs_triangle_setup #(
   );
 
   if (HasDepth != 0 || SendsShape != 0) begin : gen_planes
-    localparam int unsigned SetupBits = $bits(hs_formats_pkg::setup_t);
-    localparam int unsigned AttributesBits = $bits(hs_formats_pkg::attributes_t);
+    localparam int unsigned SetupBits = $bits(setup_o);
+    localparam int unsigned AttributesBits = $bits(attributes_o);
     localparam int unsigned EdgesBits = SetupBits + 2 * hs_formats_pkg::CoordBits
         + 6 * hs_formats_pkg::DeltaBits + DepthsBits + ShadeBits;
     // One bit is 1: the record of the triangle that is looked at, and of that whose edges are out.
@@ -191,7 +191,9 @@ module hs_triangle_setup #(
       end
 
       hs_setup_collect #(
-        .Turns(Records)
+        .Turns         (Records),
+        .SetupBits     (SetupBits),
+        .AttributesBits(AttributesBits)
       ) u_collect (
         .clk_i             (clk_i),
         .rst_ni            (rst_ni),
