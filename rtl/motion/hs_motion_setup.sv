@@ -4,7 +4,8 @@
 // each group through an hs_channel_planes of its own, side by side.
 //
 // Interval and latency are those of hs_channel_planes, of two channels, or of three with
-// perspective or differences. Attributes and vectors come in one order and are taken together, when
+// perspective or differences; of both together up to 4 cycles more, as the planes of two channels
+// wait for those of three. Attributes and vectors come in one order and are taken together, when
 // the last of the groups has read them; empty attributes have no vectors. Planes leave together.
 // Fields of an empty record are 0.
 // A configuration without motion has no such unit: hs_formats_pkg has not its numbers then.

@@ -185,7 +185,10 @@ UnitWork work_of(const std::string& unit, const Job& job) {
   if (unit == "shade_setup" || unit == "phong_setup") return known(job.planes(3), 10, kRestart);
   if (unit == "texture_setup") return known(job.planes(perspective ? 3 : 2), 10, kRestart);
   if (unit == "motion_setup") {
-    return known(job.planes(perspective || job.constant("Relight") ? 3 : 2), 10, kRestart);
+    // Of groups of two and of three channels the shorter one waits with its planes for the other's, and begins late.
+    const bool unequal = !perspective && job.constant("Relight") != 0;
+    const std::uint64_t late = unequal ? kRestart * job.words("motion_planes") : 0;
+    return known(job.planes(perspective || unequal ? 3 : 2) + late, 10, kRestart);
   }
   if (unit == "scan_index") return known(job.words("scan"), 2);
   if (unit == "shade_gouraud") return known(job.different_triangles(), 9);

@@ -5,6 +5,7 @@ halfspace_units_file(motion_middle 4 motion_setup motion_field)
 halfspace_units_file(motion_high 16 motion_setup motion_field)
 halfspace_cosim_file(pipeline motion_low 16)
 halfspace_cosim_file(pipeline motion_middle 4)
+halfspace_units_file(motion_gamma 4 motion_setup)
 halfspace_cosim_file(pipeline motion_gamma 4)  # affine places and differences: setups of another length
 foreach(scene IN ITEMS cube_fast drone)
   halfspace_cosim(pipeline_motion_middle_4_${scene} pipeline motion_middle 4 ${scene} SEEDS 2

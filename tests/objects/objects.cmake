@@ -32,7 +32,7 @@ halfspace_faults(faults_objects objects objects_low UNITS pipeline)
 halfspace_faults(faults_merge merge objects_low SCENE merge UNITS ztest_merge)
 # A frame with more rows than columns, a pixel a stamp.
 halfspace_cosim_file(pipeline objects_tall 1)
-halfspace_faults(faults_tall tall objects_tall SCENE merge LANES 1 UNITS ztest_merge)
+halfspace_faults(faults_tall edges/tall objects_tall SCENE merge LANES 1 UNITS ztest_merge)
 
 # Objects bring no multiplier to the 11 of the pipeline, and three memories to its 8: the second bank of the Z-buffer,
 # the object table, a queue. ztest_merge has neither.
