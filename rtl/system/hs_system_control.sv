@@ -44,17 +44,18 @@ module hs_system_control #(
 
   typedef enum logic [1:0] {Idle, Launch, Run, Drain} state_t;
   state_t state_q;
-  logic core_rst_nq, wrong, given_up;
+  logic core_rst_nq, wrong, stops, given_up;
   logic [2:0] reset_q;  // cycles of it
 
   assign started_o = start_i && state_q == Idle;
-  assign launch_o = state_q == Launch && !frame_wrong_i;
+  assign launch_o = state_q == Launch && !given_up;
   assign busy_o = state_q != Idle;
   assign wrong = (state_q == Launch && frame_wrong_i)
                  || (state_q == Run && (command_error_i || read_error_i || write_error_i));
-  assign given_up = wrong || (state_q == Run && stop_i);
+  assign stops = stop_i && (state_q == Launch || state_q == Run);
+  assign given_up = wrong || stops;
   assign error_o = wrong;
-  assign stopped_o = state_q == Run && stop_i && !wrong;
+  assign stopped_o = stops && !wrong;
   assign done_o = state_q == Run && !given_up && !list_active_i && core_idle_i && bus_idle_i;
   assign error_kind_o = state_q == Launch ? CommandError : read_error_i ? ReadError
                         : write_error_i ? WriteError : CommandError;

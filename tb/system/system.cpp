@@ -10,7 +10,8 @@
 namespace halfspace::tb {
 namespace {
 
-constexpr std::uint32_t kBase = 0x10000;  // where the piece of memory begins that the driver gives out
+// Where the piece of memory begins that the driver gives out: triangles of a small frame cross 4 KiB.
+constexpr std::uint32_t kBase = 0x10f80;
 constexpr std::size_t kBytes = std::size_t(1) << 28;
 constexpr std::uint32_t kIndexBase = 0x0c000000, kDepthBase = 0x0d000000, kPlanesBase = 0x0e000000;
 
@@ -103,6 +104,12 @@ void start(Board* board, const Vectors& vectors, hs_memory* memory, std::size_t 
   if (!hs_start(&board->device, &list)) board->bench.fail("driver: the list does not fit into the memory");
 }
 
+// After a reset the pipeline clears both banks of its I-buffer before the first triangle.
+std::uint64_t patience_of(const Model& model, const Options& options) {
+  const int stamps = model.constant("MaxWidth") * model.constant("MaxHeight") / (model.lanes_x() * model.lanes_y());
+  return options.hang + 3 * std::uint64_t(stamps);
+}
+
 bool is_in_trouble(const Options& options) {
   return options.stop_at != 0 || options.reset_at != 0 || options.break_read != 0 || options.break_write != 0;
 }
@@ -125,7 +132,7 @@ void run_trouble(Model* model, const Vectors& vectors, const Options& options, B
   if (options.reset_at != 0) {
     board.bench.idle(int(options.reset_at));
   } else {
-    if (!board.bench.run([&] { return board.interrupt(); }, std::max(options.hang, kResetPatience))) {
+    if (!board.bench.run([&] { return board.interrupt(); }, patience_of(*model, options))) {
       board.bench.fail("trouble: no interrupt comes");
     }
     for (int n = 0; n < 1000 && hs_busy(&board.device); ++n) board.bench.idle(10);
@@ -216,7 +223,7 @@ Result run_system(Model* model, const Vectors& vectors, const Options& options, 
       board.video.expect(picture_of(vectors, frame));
     }
     start(&board, vectors, &memory, first, end);
-    if (!board.bench.run([&] { return board.interrupt(); }, std::max(options.hang, kResetPatience))) break;
+    if (!board.bench.run([&] { return board.interrupt(); }, patience_of(*model, options))) break;
     const hs_state state = hs_status(&board.device);
     if (!state.done || state.busy || state.error || state.stopped) {
       board.bench.fail("status: the list ended, and it does not say that it is done and that nothing was wrong");
