@@ -69,11 +69,14 @@ Options parse_options(int argc, char** argv, const std::string& top) {
   }
   if (system) {
     app.add_option("--pictures", options.pictures, "Folder for frame_rtl.png, the last frame of the video");
-  } else if (!unit) {
+  }
+  if (!unit) {
     app.add_option("--frames", options.frames,
                    "Draw the last frame of the set N times, back to back (default 2: the second one gives the "
                    "cycles of a frame)")
         ->check(CLI::Range(1, 1000000));
+  }
+  if (!unit && !system) {
     app.add_option("--setup-interval", options.setup_interval,
                    "Cycles that triangle_setup takes for a triangle, for the bound (default: SetupInterval of the "
                    "package)")

@@ -105,6 +105,7 @@ void VideoPort::drive() { set_to(ready_, !stall_.next()); }
 void VideoPort::sample() {
   if (const std::string wrong = beat_.check(); !wrong.empty()) fail(wrong);
   if (beat_.moves()) take_beat();
+  ++cycle_;
 }
 
 void VideoPort::give_up() {
@@ -153,6 +154,7 @@ void VideoPort::take_beat() {
   if (++y_ != picture.height) return;
   y_ = 0;
   ++frames_;
+  ends_.push_back(cycle_);
   last_ = shown_;
   expected_.pop_front();
 }

@@ -60,6 +60,8 @@ class VideoPort : public Partner {
   std::uint64_t beats() const { return beats_; }
   std::uint64_t wrong_pixels() const { return wrong_pixels_; }
   const Picture& last() const { return last_; }
+  // The cycle of each frame's last beat.
+  const std::vector<std::uint64_t>& ends() const { return ends_; }
 
  private:
   void take_beat();
@@ -72,7 +74,8 @@ class VideoPort : public Partner {
   Picture shown_, last_;
   bool any_ = false;  // nothing is expected
   std::uint32_t x_ = 0, y_ = 0;
-  std::uint64_t frames_ = 0, beats_ = 0, wrong_pixels_ = 0;
+  std::vector<std::uint64_t> ends_;
+  std::uint64_t cycle_ = 0, frames_ = 0, beats_ = 0, wrong_pixels_ = 0;
 };
 
 }  // namespace halfspace::tb

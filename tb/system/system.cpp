@@ -11,7 +11,7 @@ namespace halfspace::tb {
 namespace {
 
 // Where the piece of memory begins that the driver gives out: triangles of a small frame cross 4 KiB.
-constexpr std::uint32_t kBase = 0x10f80;
+constexpr std::uint32_t kBase = 0x10f40;
 constexpr std::size_t kBytes = std::size_t(1) << 28;
 constexpr std::uint32_t kIndexBase = 0x0c000000, kDepthBase = 0x0d000000, kPlanesBase = 0x0e000000;
 
@@ -60,14 +60,16 @@ struct Board {
   const Port& interrupt_ = bench.model().need("interrupt_o", 1);
 };
 
-// The command list of frames [first, end), in memory.
-hs_list list_of(const Vectors& vectors, const hs_device& device, hs_memory* memory, std::size_t first,
-                std::size_t end) {
+using List = std::vector<std::size_t>;  // frames, one after the other
+
+// The command list of these, in memory.
+hs_list list_of(const Vectors& vectors, const hs_device& device, hs_memory* memory, const List& frames) {
   constexpr std::pair<const char*, hs_kind> kLoads[] = {
       {"light", HS_LIGHT}, {"material", HS_MATERIAL}, {"texture", HS_TEXTURE}, {"texel", HS_TEXEL}};
   hs_list list;
   memory->used = 0;
-  hs_list_begin(&list, memory, 8 + 3 * (end - first));
+  hs_list_begin(&list, memory, 8 + 5 * frames.size());
+  const std::size_t first = frames.front();
   for (const auto& [name, kind] : kLoads) {
     const Stream* const stream = vectors.find(name);
     if (stream == nullptr || stream->frame_words[first] == 0) continue;
@@ -77,7 +79,7 @@ hs_list list_of(const Vectors& vectors, const hs_device& device, hs_memory* memo
     hs_list_load(&list, kind, hs_put_records(memory, values.data(), widths.data(), widths.size(), count),
                  std::uint32_t(count));
   }
-  for (std::size_t frame = first; frame < end; ++frame) {
+  for (const std::size_t frame : frames) {
     const std::vector<hs_triangle> triangles = triangles_of(vectors, frame);
     if (device.answer_words != 0) {
       const std::vector<hs_answer> answers = answers_of(vectors, frame);
@@ -96,9 +98,9 @@ hs_list list_of(const Vectors& vectors, const hs_device& device, hs_memory* memo
   return list;
 }
 
-void start(Board* board, const Vectors& vectors, hs_memory* memory, std::size_t first, std::size_t end) {
-  const Frame& frame = vectors.frames[first];
-  const hs_list list = list_of(vectors, board->device, memory, first, end);
+void start(Board* board, const Vectors& vectors, hs_memory* memory, const List& frames) {
+  const Frame& frame = vectors.frames[frames.front()];
+  const hs_list list = list_of(vectors, board->device, memory, frames);
   hs_set_frame(&board->device, frame.width, frame.height, frame.background[0], frame.background[1],
                frame.background[2]);
   if (!hs_start(&board->device, &list)) board->bench.fail("driver: the list does not fit into the memory");
@@ -115,8 +117,8 @@ bool is_in_trouble(const Options& options) {
 }
 
 // The first list is given up in one way, and the state behind it is as it has to be.
-void run_trouble(Model* model, const Vectors& vectors, const Options& options, Bytes* bytes, std::size_t first,
-                 std::size_t end, Result* result) {
+void run_trouble(Model* model, const Vectors& vectors, const Options& options, Bytes* bytes, const List& frames,
+                 Result* result) {
   Board board(model, vectors, options, bytes);
   board.bench.reset();
   board.open(vectors);
@@ -124,7 +126,7 @@ void run_trouble(Model* model, const Vectors& vectors, const Options& options, B
   hs_memory memory = {bytes->data() + kBase, kBase, kIndexBase - kBase, 0};
   board.memory.break_read(options.break_read);
   board.memory.break_write(options.break_write);
-  start(&board, vectors, &memory, first, end);
+  start(&board, vectors, &memory, frames);
   if (options.stop_at != 0) {
     board.bench.idle(int(options.stop_at));
     if (!board.interrupt()) hs_stop(&board.device);
@@ -185,26 +187,28 @@ Result run_system(Model* model, const Vectors& vectors, const Options& options, 
                 "/manifest.json: hs_system takes a set with pixels, of triangles that are not held "
                 "back");
   }
-  // Frames that follow each other: lists.
-  std::vector<std::pair<std::size_t, std::size_t>> lists;
-  std::size_t left_out = 0;
+  // Frames that follow each other: lists. The last frame is drawn several times.
+  std::vector<List> lists;
+  std::size_t left_out = 0, before = 0;
   for (std::size_t frame = 0; frame < vectors.frames.size(); ++frame) {
     if (!is_in_order(vectors, frame)) {
       ++left_out;
       continue;
     }
-    if (!lists.empty() && lists.back().second == frame && may_follow(vectors, frame - 1, frame)) ++lists.back().second;
-    else lists.emplace_back(frame, frame + 1);
+    if (lists.empty() || before + 1 != frame || !may_follow(vectors, before, frame)) lists.emplace_back();
+    lists.back().push_back(frame);
+    before = frame;
   }
   if (lists.empty()) throw Error(vectors.directory + "/triangle.hex: no frame has the places of triangles as indices");
   if (left_out != 0) std::printf("%zu frames are left out: the indices of their triangles are no places\n", left_out);
+  lists.back().insert(lists.back().end(), std::size_t(options.frames - 1), lists.back().back());
 
   Bytes bytes(kBytes);
   Result result;
   result.unit = "system";
   const Stopwatch stopwatch;
   if (is_in_trouble(options)) {
-    run_trouble(model, vectors, options, &bytes, lists.front().first, lists.front().second, &result);
+    run_trouble(model, vectors, options, &bytes, lists.front(), &result);
   }
   Board board(model, vectors, options, &bytes);
   std::vector<std::pair<const Stream*, Receiver*>> receivers;
@@ -217,12 +221,12 @@ Result run_system(Model* model, const Vectors& vectors, const Options& options, 
   if (is_in_trouble(options) && options.reset_at == 0) board.video.give_up();
   hs_memory memory = {bytes.data() + kBase, kBase, kIndexBase - kBase, 0};
   hs_counters counters = {};
-  for (const auto& [first, end] : lists) {
-    for (std::size_t frame = first; frame < end; ++frame) {
+  for (const List& list : lists) {
+    for (const std::size_t frame : list) {
       for (const auto& [stream, receiver] : receivers) receiver->expect(segment_of(*stream, frame));
       board.video.expect(picture_of(vectors, frame));
     }
-    start(&board, vectors, &memory, first, end);
+    start(&board, vectors, &memory, list);
     if (!board.bench.run([&] { return board.interrupt(); }, patience_of(*model, options))) break;
     const hs_state state = hs_status(&board.device);
     if (!state.done || state.busy || state.error || state.stopped) {
@@ -231,10 +235,10 @@ Result run_system(Model* model, const Vectors& vectors, const Options& options, 
     hs_happened(&board.device);
     counters = hs_count(&board.device);
     std::size_t drawn = 0;
-    for (std::size_t frame = first; frame < end; ++frame) {
+    for (const std::size_t frame : list) {
       drawn += std::max<std::size_t>(triangles_of(vectors, frame).size(), 1);
     }
-    if (counters.frames != end - first || counters.drawn != drawn) {
+    if (counters.frames != list.size() || counters.drawn != drawn) {
       board.bench.fail("counters: frames or triangles are not those of the list");
     }
     if (!board.memory.idle()) board.bench.fail("bus: a transfer is under way when the list is done");
@@ -243,8 +247,15 @@ Result run_system(Model* model, const Vectors& vectors, const Options& options, 
   board.bench.idle(64);
   board.bench.finish(&result);
   stopwatch.stop(&result);
-  result.cycles = counters.cycles / std::max(counters.frames, 1u);
-  result.cycles_of = "a frame of the last list";
+  const std::vector<std::uint64_t>& ends = board.video.ends();
+  result.frame_ends = ends;
+  if (options.frames > 1 && ends.size() > 1) {
+    result.cycles = ends.back() - ends[ends.size() - 2];
+    result.cycles_of = "the last frame, in steady state";
+  } else {
+    result.cycles = counters.cycles;
+    result.cycles_of = "the last list";
+  }
   *last = board.video.last();
   if (!options.only_wave) std::printf("%s", system_report(counters, vectors).c_str());
   return result;
