@@ -14,17 +14,18 @@ import sys
 
 TB = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(TB.parent / "rtl"))
-from units import FILM, MOTION, OBJECTS, RTL, WHOLES, below, constants, has, parameters, sources, units  # noqa: E402
+from units import (FILM, GAMMA, MOTION, OBJECTS, RTL, WHOLES, below, constants, has, parameters,  # noqa: E402
+                   sources, units)
 
 CONFIGS = ["low", "middle", "high"]
 LANES = [1, 4, 16]
 COMPOSED = ["pipeline", "system"]  # no units
 
 
-def lint(args, package, top, lanes):
+def lint(args, package, top, lanes, chosen):
     """What Verilator says, or '' if nothing."""
     found = below(top, args.rtl)
-    given = parameters(found[top].read_text(), lanes, constants(package.read_text()))
+    given = {**parameters(found[top].read_text(), lanes, constants(package.read_text())), **chosen}
     command = [args.verilator, "--lint-only", "-Wall", "--top-module", top,
                *(f"-G{name}={value}" for name, value in given.items()),
                TB / "lint.vlt", package, *found.values()]
@@ -41,6 +42,13 @@ def tops_of(package, chosen):
     whole = "up_convert" if FILM(numbers) else "pipeline"
     return [f"hs_{whole if unit == 'pipeline' else unit}" for unit in chosen
             if unit in COMPOSED or (has(unit, numbers) and unit != whole)]
+
+
+def outside_of(top, package):
+    """The pipeline is looked at with memory inside and, where it can have it so, outside."""
+    numbers = constants(package.read_text())
+    can = top == "hs_pipeline" and not (GAMMA(numbers) or OBJECTS(numbers) or MOTION(numbers))
+    return [{}, {"OutsideFrame": 1, "OutsidePlanes": 1}] if can else [{}]
 
 
 def lanes_of(module, package):
@@ -65,10 +73,10 @@ def main():
     faults = [f"there is no module hs_{unit}" for unit in units() if f"hs_{unit}" not in known]
     faults += [f"no unit uses {path}: remove it, or add its unit to hls/units.txt"
                for stem, path in known.items() if stem not in seen]
-    todo = [(top, package, lanes) for package in packages for top in tops_of(package, args.units) if top in known
-            for lanes in lanes_of(known[top], package)]
-    faults += [f"{top}, {package}, {lanes} lanes:\n{output}" for top, package, lanes in todo
-               if (output := lint(args, package, top, lanes))]
+    todo = [(package, top, lanes, chosen) for package in packages for top in tops_of(package, args.units)
+            if top in known for lanes in lanes_of(known[top], package) for chosen in outside_of(top, package)]
+    faults += [f"{top}, {package}, {lanes} lanes {chosen or ''}:\n{output}" for package, top, lanes, chosen in todo
+               if (output := lint(args, package, top, lanes, chosen))]
     print("".join(f"lint: {fault}\n" for fault in faults), end="")
     print(f"lint: {len(todo)} runs, {len(seen)} files, {len(faults)} faults")
     return 1 if faults or not todo else 0

@@ -39,13 +39,19 @@ function(halfspace_package config)
   set(package_target package_${config} PARENT_SCOPE)
 endfunction()
 
-# halfspace_bench(TOP CONFIG LANES [NETLIST]): sets `bench` to the program and `bench_target` to its target, which is
-# added where no test asked for it before. TOP: a unit, or pipeline. Of low, middle and high they are those of tb/.
-# NETLIST: of what Yosys makes of the RTL.
+# halfspace_bench(TOP CONFIG LANES [NETLIST] [PARAMETERS NAME=VALUE …]): sets `bench` to the program and `bench_target`
+# to its target, which is added where no test asked for it before. TOP: a unit, or pipeline. Of low, middle and high
+# they are those of tb/. NETLIST: of what Yosys makes of the RTL. PARAMETERS: of the module.
 function(halfspace_bench top config lanes)
   set(target tb_${top}_${config}_${lanes})
   if("NETLIST" IN_LIST ARGN)
     set(target tb_${top}_netlist_${config}_${lanes})
+  endif()
+  cmake_parse_arguments(PARSE_ARGV 3 B "NETLIST" "" "PARAMETERS")
+  if(B_PARAMETERS)
+    string(JOIN _ chosen ${B_PARAMETERS})
+    string(REPLACE "=" "" chosen "${chosen}")
+    set(target ${target}_${chosen})
   endif()
   if(NOT TARGET ${target})
     halfspace_package(${config})
@@ -64,9 +70,9 @@ function(halfspace_bench top config lanes)
 endfunction()
 
 # halfspace_cosim(NAME TOP CONFIG LANES SCENE [NETLIST] [STALL percent] [SEEDS number] [LONG] [OPTIONS of cosim_test.py
-# …] [VECTORS options of `halfspace vectors` …]): the RTL against the vectors of a scene.
+# …] [VECTORS options of `halfspace vectors` …] [PARAMETERS NAME=VALUE …]): the RTL against the vectors of a scene.
 function(halfspace_cosim name top config lanes scene)
-  cmake_parse_arguments(PARSE_ARGV 5 C "NETLIST;LONG" "STALL;SEEDS" "OPTIONS;VECTORS")
+  cmake_parse_arguments(PARSE_ARGV 5 C "NETLIST;LONG" "STALL;SEEDS" "OPTIONS;VECTORS;PARAMETERS")
   if(NOT DEFINED C_STALL)
     set(C_STALL 30)
   endif()
@@ -81,7 +87,11 @@ function(halfspace_cosim name top config lanes scene)
   if(C_LONG)
     set(long LONG SECONDS 7200)
   endif()
-  halfspace_bench(${top} ${config} ${lanes} ${netlist})
+  set(chosen "")
+  if(C_PARAMETERS)
+    set(chosen PARAMETERS ${C_PARAMETERS})
+  endif()
+  halfspace_bench(${top} ${config} ${lanes} ${netlist} ${chosen})
   halfspace_add_test(NAME ${name} WORLD cosim UNITS ${top} ${long} BUILDS halfspace ${bench_target}
     COMMAND $<TARGET_FILE:Python3::Interpreter> ${PROJECT_SOURCE_DIR}/tests/pipeline/cosim_test.py
       $<TARGET_FILE:halfspace> ${bench}

@@ -13,6 +13,12 @@ module hs_back #(
   parameter int unsigned LanesY,
   parameter int unsigned SetupCycles = hs_formats_pkg::SetupInterval,
   parameter int unsigned BackgroundFifoDepth = 0,
+  parameter int unsigned OutsidePlanes = 0,
+  parameter int unsigned MemoryBits = 64,
+  // Of hs_planes_memory.
+  localparam int unsigned MemoryOutBits =
+      OutsidePlanes != 0 ? 2 * (1 + hs_memory_pkg::RequestBits) + 1 + MemoryBits : 1,
+  localparam int unsigned MemoryInBits = OutsidePlanes != 0 ? 5 + MemoryBits : 1,
   localparam int unsigned Lanes = LanesX * LanesY,
   localparam int unsigned DepthBits = hs_formats_pkg::DepthBits,
   localparam int unsigned IndexBits = hs_formats_pkg::IndexBits,
@@ -74,7 +80,8 @@ module hs_back #(
   output logic                                                  attributes_ready_o,
   input  hs_formats_pkg::attributes_t                           attributes_i,
 
-  // Scan-out of the buffers
+  // Scan-out of the buffers; hold: no word of scan is taken
+  input  logic                                                  scan_hold_i,
   output logic                                                  scan_read_en_o,
   output logic                                                  scan_write_en_o,
   output logic [AddressBits-1:0]                                scan_address_o,
@@ -90,11 +97,20 @@ module hs_back #(
   output logic [hs_formats_pkg::MotionWordBits-1:0]             motion_o,
   output logic                                                  entry_valid_o,
   input  logic                                                  entry_ready_i,
-  output logic [EntryBits-1:0]                                  entry_o
+  output logic [EntryBits-1:0]                                  entry_o,
+
+  // Memory outside, of hs_planes_memory
+  input  logic [hs_memory_pkg::AddressBits-1:0]                 memory_base_i,
+  output logic [MemoryOutBits-1:0]                              memory_o,
+  input  logic [MemoryInBits-1:0]                               memory_i
 );
   // --- I-buffer ─► scan ---
+  logic read_scan_valid, read_scan_ready;
   logic sent_scan_valid, sent_scan_ready, scan_valid, scan_ready;
   logic [ScanBits-1:0] sent_scan, scan;
+
+  assign sent_scan_valid = read_scan_valid && !scan_hold_i;
+  assign read_scan_ready = sent_scan_ready && !scan_hold_i;
 
   hs_scan_index #(
     .LanesX(LanesX),
@@ -107,8 +123,8 @@ module hs_back #(
     .start_valid_i (start_valid_i),
     .start_ready_o (start_ready_o),
     .start_clear_i (start_clear_i),
-    .scan_valid_o  (sent_scan_valid),
-    .scan_ready_i  (sent_scan_ready),
+    .scan_valid_o  (read_scan_valid),
+    .scan_ready_i  (read_scan_ready),
     .scan_o        (sent_scan),
     .read_en_o     (scan_read_en_o),
     .write_en_o    (scan_write_en_o),
@@ -133,7 +149,11 @@ module hs_back #(
                               material_valid_i, material_i, texture_valid_i, texture_i,
                               texel_valid_i, texel_i, normals_valid_i, normals_i,
                               texture_coordinates_valid_i, texture_coordinates_i, scan_depth_i,
-                              pixel_ready_i, entry_ready_i};
+                              pixel_ready_i, entry_ready_i, memory_base_i, memory_i};
+    if (OutsidePlanes != 0) begin : gen_planes_illegal
+      $error("hs_back: a frame between key frames has its planes inside");
+    end
+    assign memory_o = '0;
     assign normals_ready_o = 1'b0;
     assign texture_coordinates_ready_o = 1'b0;
     assign pixel_valid_o = 1'b0;
@@ -177,7 +197,9 @@ module hs_back #(
       .LanesX             (LanesX),
       .LanesY             (LanesY),
       .SetupCycles        (SetupCycles),
-      .BackgroundFifoDepth(BackgroundFifoDepth)
+      .BackgroundFifoDepth(BackgroundFifoDepth),
+      .OutsidePlanes      (OutsidePlanes),
+      .MemoryBits         (MemoryBits)
     ) u_shading (
       .clk_i                      (clk_i),
       .rst_ni                     (rst_ni),
@@ -207,7 +229,10 @@ module hs_back #(
       .scan_i                     (scan),
       .pixel_valid_o              (shaded_valid),
       .pixel_ready_i              (shaded_ready),
-      .pixel_o                    (shaded)
+      .pixel_o                    (shaded),
+      .memory_base_i              (memory_base_i),
+      .memory_o                   (memory_o),
+      .memory_i                   (memory_i)
     );
 
     if (HasObjects != 0) begin : gen_objects

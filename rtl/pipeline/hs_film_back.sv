@@ -190,6 +190,7 @@ module hs_film_back #(
     .second_ready_i(store_scan_ready)
   );
 
+  logic unused_memory;
   hs_shading #(
     .LanesX(LanesX),
     .LanesY(LanesY)
@@ -222,7 +223,10 @@ module hs_film_back #(
     .scan_i                     (masked),
     .pixel_valid_o              (pixel_valid),
     .pixel_ready_i              (pixel_ready),
-    .pixel_o                    (pixel)
+    .pixel_o                    (pixel),
+    .memory_base_i              ('0),
+    .memory_o                   (unused_memory),
+    .memory_i                   (1'b0)
   );
 
   hs_stream #(

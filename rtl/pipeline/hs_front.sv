@@ -27,6 +27,12 @@ module hs_front #(
   parameter int unsigned StampFifoDepth,
   parameter int unsigned TriangleDepthFifoDepth,
   parameter int unsigned DeferFifoDepth,
+  parameter int unsigned OutsideFrame = 0,
+  parameter int unsigned MemoryBits = 64,
+  // Of hs_frame_memory.
+  localparam int unsigned MemoryOutBits =
+      OutsideFrame != 0 ? 5 * (1 + hs_memory_pkg::RequestBits) + 2 * (1 + MemoryBits) : 1,
+  localparam int unsigned MemoryInBits = OutsideFrame != 0 ? 3 * (2 + MemoryBits) + 6 : 1,
   localparam int unsigned Lanes = LanesX * LanesY,
   localparam int unsigned HasDepth = hs_formats_pkg::HasDepth,
   localparam int unsigned DepthBits = hs_formats_pkg::DepthBits,
@@ -63,13 +69,25 @@ module hs_front #(
   input  logic                        attributes_ready_i,
   output hs_formats_pkg::attributes_t attributes_o,
 
-  // Scan-out of the buffers
+  // Scan-out of the buffers; start and what holds it pass hs_ztest
+  input  logic                        start_valid_i,
+  output logic                        start_ready_o,
+  input  logic                        start_clear_i,
+  output logic                        start_valid_o,
+  input  logic                        start_ready_i,
+  output logic                        scan_hold_o,
+  output logic                        stored_o,
   input  logic                        scan_bank_i,
   input  logic                        scan_read_en_i,
   input  logic                        scan_write_en_i,
   input  logic [AddressBits-1:0]      scan_address_i,
   output logic [Lanes*IndexBits-1:0]  scan_index_o,
-  output logic [DepthsBits-1:0]       scan_depth_o
+  output logic [DepthsBits-1:0]       scan_depth_o,
+
+  // Memory outside, of hs_frame_memory
+  input  hs_memory_pkg::bases_t       memory_bases_i,
+  output logic [MemoryOutBits-1:0]    memory_o,
+  input  logic [MemoryInBits-1:0]     memory_i
 );
   localparam int unsigned PlaceBits =
       IndexBits + hs_formats_pkg::XBits + hs_formats_pkg::YBits;
@@ -237,7 +255,9 @@ module hs_front #(
     .LanesX                (LanesX),
     .LanesY                (LanesY),
     .StampFifoDepth        (StampFifoDepth),
-    .TriangleDepthFifoDepth(TriangleDepthFifoDepth)
+    .TriangleDepthFifoDepth(TriangleDepthFifoDepth),
+    .OutsideFrame          (OutsideFrame),
+    .MemoryBits            (MemoryBits)
   ) u_ztest (
     .clk_i                 (clk_i),
     .rst_ni                (rst_ni),
@@ -250,12 +270,24 @@ module hs_front #(
     .visible_valid_o       (tested_valid),
     .visible_ready_i       (tested_ready),
     .visible_o             (tested),
+    .frame_width_i         (frame_width_i),
+    .frame_height_i        (frame_height_i),
+    .start_valid_i         (start_valid_i),
+    .start_ready_o         (start_ready_o),
+    .start_clear_i         (start_clear_i),
+    .start_valid_o         (start_valid_o),
+    .start_ready_i         (start_ready_i),
+    .scan_hold_o           (scan_hold_o),
+    .stored_o              (stored_o),
     .scan_bank_i           (scan_bank_i),
     .scan_read_en_i        (scan_read_en_i),
     .scan_write_en_i       (scan_write_en_i),
     .scan_address_i        (scan_address_i),
     .scan_index_o          (scan_index_o),
-    .scan_depth_o          (scan_depth_o)
+    .scan_depth_o          (scan_depth_o),
+    .memory_bases_i        (memory_bases_i),
+    .memory_o              (memory_o),
+    .memory_i              (memory_i)
   );
 
   // --- attributes, at once or when the triangle has turned out visible ---

@@ -134,6 +134,7 @@ module hs_pipeline #(
   logic frames_open, start_valid, start_ready, start_clear, scan_bank, planes_bank;
   logic front_triangle_ready;
   logic planes_last, stored_last, shown_last;  // words that move and end their frame
+  logic drawn_last, frame_stored;
 
   assign triangle_ready_o = frames_open && front_triangle_ready;
 
@@ -144,7 +145,7 @@ module hs_pipeline #(
     .busy_o         (busy_o),
     .triangle_i     (triangle_valid_i && triangle_ready_o),
     .triangle_last_i(triangle_i.last),
-    .visible_last_i (visible_valid_o && visible_ready_i && visible_o.last),
+    .visible_last_i (drawn_last),
     .planes_last_i  (planes_last),
     .stored_last_i  (stored_last),
     .pixel_last_i   (shown_last),
@@ -155,7 +156,49 @@ module hs_pipeline #(
     .planes_bank_o  (planes_bank)
   );
 
+  // --- memory outside ---
+  localparam int unsigned FrameOutBits =
+      OutsideFrame != 0 ? 5 * (1 + RequestBits) + 2 * (1 + WordBits) : 1;
+  localparam int unsigned FrameInBits = OutsideFrame != 0 ? 3 * (2 + WordBits) + 6 : 1;
+  localparam int unsigned PlanesOutBits =
+      OutsidePlanes != 0 ? 2 * (1 + RequestBits) + 1 + WordBits : 1;
+  localparam int unsigned PlanesInBits = OutsidePlanes != 0 ? 5 + WordBits : 1;
+  localparam int unsigned ClientOutBits =
+      (Reads + Writes) * (1 + RequestBits) + Writes * (1 + WordBits);
+  localparam int unsigned ClientInBits = Reads * (2 + WordBits) + 3 * Writes;
+  logic [FrameOutBits-1:0] frame_out;
+  logic [FrameInBits-1:0] frame_in;
+  logic [PlanesOutBits-1:0] planes_out;
+  logic [PlanesInBits-1:0] planes_in;
+
+  hs_memory_clients #(
+    .OutsideFrame (OutsideFrame),
+    .OutsidePlanes(OutsidePlanes),
+    .MemoryBits   (MemoryBits),
+    .FrameOutBits (FrameOutBits),
+    .FrameInBits  (FrameInBits),
+    .PlanesOutBits(PlanesOutBits),
+    .PlanesInBits (PlanesInBits),
+    .OutBits      (ClientOutBits),
+    .InBits       (ClientInBits)
+  ) u_memory_clients (
+    .clk_i         (clk_i),
+    .rst_ni        (rst_ni),
+    .visible_last_i(visible_valid_o && visible_ready_i && visible_o.last),
+    .frame_stored_i(frame_stored),
+    .drawn_last_o  (drawn_last),
+    .frame_i       (frame_out),
+    .frame_o       (frame_in),
+    .planes_i      (planes_out),
+    .planes_o      (planes_in),
+    .memory_o      ({memory_store_o, memory_store_valid_o, memory_write_o, memory_write_valid_o,
+                     memory_read_o, memory_read_valid_o}),
+    .memory_i      ({memory_written_i, memory_store_ready_i, memory_write_ready_i, memory_data_i,
+                     memory_data_valid_i, memory_read_ready_i})
+  );
+
   // --- triangles into the I-buffer ---
+  logic back_start_valid, back_start_ready, scan_hold;
   logic attributes_valid, attributes_ready, scan_read_en, scan_write_en, numbered_taken;
   hs_formats_pkg::numbered_t numbered;
   hs_formats_pkg::attributes_t attributes;
@@ -170,7 +213,9 @@ module hs_pipeline #(
     .SetupFifoDepth        (SetupFifoDepth),
     .StampFifoDepth        (StampFifoDepth),
     .TriangleDepthFifoDepth(TriangleDepthFifoDepth),
-    .DeferFifoDepth        (DeferFifoDepth)
+    .DeferFifoDepth        (DeferFifoDepth),
+    .OutsideFrame          (OutsideFrame),
+    .MemoryBits            (MemoryBits)
   ) u_front (
     .clk_i             (clk_i),
     .rst_ni            (rst_ni),
@@ -188,44 +233,40 @@ module hs_pipeline #(
     .attributes_valid_o(attributes_valid),
     .attributes_ready_i(attributes_ready),
     .attributes_o      (attributes),
+    .start_valid_i     (start_valid),
+    .start_ready_o     (start_ready),
+    .start_clear_i     (start_clear),
+    .start_valid_o     (back_start_valid),
+    .start_ready_i     (back_start_ready),
+    .scan_hold_o       (scan_hold),
+    .stored_o          (frame_stored),
     .scan_bank_i       (scan_bank),
     .scan_read_en_i    (scan_read_en),
     .scan_write_en_i   (scan_write_en),
     .scan_address_i    (scan_address),
     .scan_index_o      (scan_index),
-    .scan_depth_o      (scan_depth)
+    .scan_depth_o      (scan_depth),
+    .memory_bases_i    (memory_bases_i),
+    .memory_o          (frame_out),
+    .memory_i          (frame_in)
   );
-
-  // --- memory outside ---
-  if (Outside == 0) begin : gen_inside
-    logic unused_memory;
-    assign unused_memory = ^{memory_bases_i, memory_read_ready_i, memory_data_valid_i,
-                             memory_data_i, memory_write_ready_i, memory_store_ready_i,
-                             memory_written_i};
-    assign memory_read_valid_o = '0;
-    assign memory_read_o = '0;
-    assign memory_write_valid_o = '0;
-    assign memory_write_o = '0;
-    assign memory_store_valid_o = '0;
-    assign memory_store_o = '0;
-  end else begin : gen_outside
-    $error("hs_pipeline: OutsideFrame and OutsidePlanes must be 0");
-  end
 
   // --- the I-buffer out as pixels ---
   hs_back #(
     .LanesX             (LanesX),
     .LanesY             (LanesY),
     .SetupCycles        (SetupCycles),
-    .BackgroundFifoDepth(BackgroundFifoDepth)
+    .BackgroundFifoDepth(BackgroundFifoDepth),
+    .OutsidePlanes      (OutsidePlanes),
+    .MemoryBits         (MemoryBits)
   ) u_back (
     .clk_i                      (clk_i),
     .rst_ni                     (rst_ni),
     .frame_width_i              (frame_width_i),
     .frame_height_i             (frame_height_i),
     .background_i               (background_i),
-    .start_valid_i              (start_valid),
-    .start_ready_o              (start_ready),
+    .start_valid_i              (back_start_valid),
+    .start_ready_o              (back_start_ready),
     .start_clear_i              (start_clear),
     .planes_bank_i              (planes_bank),
     .planes_last_o              (planes_last),
@@ -253,6 +294,7 @@ module hs_pipeline #(
     .attributes_valid_i         (attributes_valid),
     .attributes_ready_o         (attributes_ready),
     .attributes_i               (attributes),
+    .scan_hold_i                (scan_hold),
     .scan_read_en_o             (scan_read_en),
     .scan_write_en_o            (scan_write_en),
     .scan_address_o             (scan_address),
@@ -266,6 +308,9 @@ module hs_pipeline #(
     .motion_o                   (motion_o),
     .entry_valid_o              (entry_valid_o),
     .entry_ready_i              (entry_ready_i),
-    .entry_o                    (entry_o)
+    .entry_o                    (entry_o),
+    .memory_base_i              (memory_bases_i.planes),
+    .memory_o                   (planes_out),
+    .memory_i                   (planes_in)
   );
 endmodule

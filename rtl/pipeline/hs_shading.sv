@@ -10,6 +10,8 @@
 //
 //   attributes, texture_coordinates, scan, lit ─► hs_texture ─► pixel
 //
+// OutsidePlanes: TdbS is in memory outside (hs_planes_memory), and planes may wait for it.
+//
 // Words of `normals` and `texture_coordinates` come for attributes that are not empty, in their
 // order. Planes never wait. Stall: as its units. Lights, materials, textures and texels are written
 // while no frame is in flight.
@@ -21,6 +23,12 @@ module hs_shading #(
   parameter int unsigned AttributesFifoDepth = 4,
   // With texture all that shade_texture takes before it looks at `lit`.
   parameter int unsigned ScanFifoDepth = hs_formats_pkg::HasTexture != 0 ? 32 : 4,
+  parameter int unsigned OutsidePlanes = 0,
+  parameter int unsigned MemoryBits = 64,
+  // Of hs_planes_memory.
+  localparam int unsigned MemoryOutBits =
+      OutsidePlanes != 0 ? 2 * (1 + hs_memory_pkg::RequestBits) + 1 + MemoryBits : 1,
+  localparam int unsigned MemoryInBits = OutsidePlanes != 0 ? 5 + MemoryBits : 1,
   localparam int unsigned Lanes = LanesX * LanesY,
   localparam int unsigned IndexBits = hs_formats_pkg::IndexBits,
   localparam int unsigned ColourBits = hs_formats_pkg::ColourBits,
@@ -67,7 +75,12 @@ module hs_shading #(
   // To the frame
   output logic                                                  pixel_valid_o,
   input  logic                                                  pixel_ready_i,
-  output logic [PixelBits-1:0]                                  pixel_o
+  output logic [PixelBits-1:0]                                  pixel_o,
+
+  // Memory outside, of hs_planes_memory
+  input  logic [hs_memory_pkg::AddressBits-1:0]                 memory_base_i,
+  output logic [MemoryOutBits-1:0]                              memory_o,
+  input  logic [MemoryInBits-1:0]                               memory_i
 );
   localparam int unsigned EntryBits = $clog2(hs_formats_pkg::Triangles);
   localparam int unsigned PlanesBits = hs_formats_pkg::PlanesWordBits;
@@ -75,7 +88,7 @@ module hs_shading #(
 
   // --- attributes ─► planes ---
   logic queued_valid, queued_ready, setup_valid, setup_ready;
-  logic sent_planes_valid, sent_planes_ready, planes_valid;
+  logic sent_planes_valid, sent_planes_ready, planes_valid, planes_ready, planes_stored;
   hs_formats_pkg::attributes_t attributes;
   logic [PlanesBits-1:0] sent_planes, planes;
 
@@ -120,7 +133,7 @@ module hs_shading #(
     .ready_o(sent_planes_ready),
     .word_i (sent_planes),
     .valid_o(planes_valid),
-    .ready_i(1'b1),
+    .ready_i(planes_ready),
     .word_o (planes)
   );
 
@@ -129,19 +142,65 @@ module hs_shading #(
   logic [EntryBits-1:0] read_entry;
   logic [EntryPlanesBits-1:0] read_planes;
 
-  hs_planes_database #(
-    .PlanesBits(PlanesBits)
-  ) u_shading_database (
-    .clk_i         (clk_i),
-    .planes_valid_i(planes_valid),
-    .planes_i      (planes),
-    .planes_bank_i (planes_bank_i),
-    .planes_last_o (planes_last_o),
-    .read_en_i     (read_en),
-    .read_bank_i   (read_bank),
-    .read_entry_i  (read_entry),
-    .read_planes_o (read_planes)
-  );
+  // The shader's stamps, before their planes are there and behind that.
+  logic taken_scan_valid, taken_scan_ready, shader_scan_valid, shader_scan_ready;
+  logic [ScanBits-1:0] taken_scan, shader_scan;
+
+  if (OutsidePlanes != 0) begin : gen_planes_outside
+    logic unused_read;
+    assign unused_read = ^{read_bank, read_entry};  // reads are in order
+
+    hs_planes_memory #(
+      .LanesX    (LanesX),
+      .LanesY    (LanesY),
+      .PlanesBits(PlanesBits),
+      .MemoryBits(MemoryBits),
+      .EachPixel (hs_formats_pkg::Phong)
+    ) u_planes_memory (
+      .clk_i         (clk_i),
+      .rst_ni        (rst_ni),
+      .planes_valid_i(planes_valid),
+      .planes_ready_o(planes_ready),
+      .planes_i      (planes),
+      .planes_bank_i (planes_bank_i),
+      .planes_last_o (planes_last_o),
+      .stored_last_o (planes_stored),
+      .scan_valid_i  (taken_scan_valid),
+      .scan_ready_o  (taken_scan_ready),
+      .scan_i        (taken_scan),
+      .scan_valid_o  (shader_scan_valid),
+      .scan_ready_i  (shader_scan_ready),
+      .scan_o        (shader_scan),
+      .read_en_i     (read_en),
+      .read_planes_o (read_planes),
+      .base_i        (memory_base_i),
+      .memory_o      (memory_o),
+      .memory_i      (memory_i)
+    );
+  end else begin : gen_planes_inside
+    logic unused_memory;
+    assign unused_memory = ^{memory_base_i, memory_i};
+    assign memory_o = '0;
+    assign planes_ready = 1'b1;
+    assign planes_stored = planes_last_o;
+    assign shader_scan_valid = taken_scan_valid;
+    assign taken_scan_ready = shader_scan_ready;
+    assign shader_scan = taken_scan;
+
+    hs_planes_database #(
+      .PlanesBits(PlanesBits)
+    ) u_shading_database (
+      .clk_i         (clk_i),
+      .planes_valid_i(planes_valid),
+      .planes_i      (planes),
+      .planes_bank_i (planes_bank_i),
+      .planes_last_o (planes_last_o),
+      .read_en_i     (read_en),
+      .read_bank_i   (read_bank),
+      .read_entry_i  (read_entry),
+      .read_planes_o (read_planes)
+    );
+  end
 
   // --- scan ─► pixels without texture ---
   logic light_scan_valid, light_scan_ready, shade_scan_valid, shade_scan_ready;
@@ -164,6 +223,10 @@ module hs_shading #(
   );
 
   if (hs_formats_pkg::Phong != 0) begin : gen_shade_phong
+    assign taken_scan_valid = shade_scan_valid;
+    assign shade_scan_ready = taken_scan_ready;
+    assign taken_scan = shade_scan;
+
     hs_shade_phong #(
       .LanesX(LanesX),
       .LanesY(LanesY)
@@ -175,9 +238,9 @@ module hs_shading #(
       .light_i         (light_i),
       .material_valid_i(material_valid_i),
       .material_i      (material_i),
-      .scan_valid_i    (shade_scan_valid),
-      .scan_ready_o    (shade_scan_ready),
-      .scan_i          (shade_scan),
+      .scan_valid_i    (shader_scan_valid),
+      .scan_ready_o    (shader_scan_ready),
+      .scan_i          (shader_scan),
       .read_en_o       (read_en),
       .read_bank_o     (read_bank),
       .read_entry_o    (read_entry),
@@ -191,6 +254,10 @@ module hs_shading #(
     logic [ScanBits-1:0] covered;
     logic [PixelBits-1:0] shaded;
 
+    assign taken_scan_valid = covered_valid;
+    assign covered_ready = taken_scan_ready;
+    assign taken_scan = covered;
+
     hs_shade_gouraud #(
       .LanesX(LanesX),
       .LanesY(LanesY)
@@ -198,9 +265,9 @@ module hs_shading #(
       .clk_i        (clk_i),
       .rst_ni       (rst_ni),
       .background_i (background_i),
-      .scan_valid_i (covered_valid),
-      .scan_ready_o (covered_ready),
-      .scan_i       (covered),
+      .scan_valid_i (shader_scan_valid),
+      .scan_ready_o (shader_scan_ready),
+      .scan_i       (shader_scan),
       .read_en_o    (read_en),
       .read_bank_o  (read_bank),
       .read_entry_o (read_entry),
@@ -299,16 +366,16 @@ module hs_shading #(
     );
 
     // A frame is stored when both setups have come to its end.
-    assign stored_last_o = (planes_last_o && texture_ahead_q != 2'd0)
+    assign stored_last_o = (planes_stored && texture_ahead_q != 2'd0)
                            || (texture_last && planes_ahead_q != 2'd0)
-                           || (planes_last_o && texture_last);
+                           || (planes_stored && texture_last);
 
     always_ff @(posedge clk_i or negedge rst_ni) begin
       if (!rst_ni) begin
         planes_ahead_q <= 2'd0;
         texture_ahead_q <= 2'd0;
       end else begin
-        planes_ahead_q <= planes_ahead_q + 2'(planes_last_o) - 2'(stored_last_o);
+        planes_ahead_q <= planes_ahead_q + 2'(planes_stored) - 2'(stored_last_o);
         texture_ahead_q <= texture_ahead_q + 2'(texture_last) - 2'(stored_last_o);
       end
     end
@@ -324,6 +391,6 @@ module hs_shading #(
     assign pixel_valid_o = lit_valid;
     assign lit_ready = pixel_ready_i;
     assign pixel_o = lit;
-    assign stored_last_o = planes_last_o;
+    assign stored_last_o = planes_stored;
   end
 endmodule

@@ -171,6 +171,7 @@ module hs_up_convert #(
   logic [AddressBits-1:0] scan_address;
   logic [Lanes*IndexBits-1:0] scan_index;
   logic [DepthsBits-1:0] unused_scan_depth;
+  logic [4:0] unused_outside;
 
   hs_front #(
     .LanesX                (LanesX),
@@ -196,12 +197,22 @@ module hs_up_convert #(
     .attributes_valid_o(attributes_valid),
     .attributes_ready_i(attributes_ready),
     .attributes_o      (attributes),
+    .start_valid_i     (1'b0),
+    .start_ready_o     (unused_outside[0]),
+    .start_clear_i     (1'b0),
+    .start_valid_o     (unused_outside[1]),
+    .start_ready_i     (1'b0),
+    .scan_hold_o       (unused_outside[2]),
+    .stored_o          (unused_outside[3]),
     .scan_bank_i       (scan_bank),
     .scan_read_en_i    (scan_read_en),
     .scan_write_en_i   (scan_write_en),
     .scan_address_i    (scan_address),
     .scan_index_o      (scan_index),
-    .scan_depth_o      (unused_scan_depth)
+    .scan_depth_o      (unused_scan_depth),
+    .memory_bases_i    ('0),
+    .memory_o          (unused_outside[4]),
+    .memory_i          (1'b0)
   );
 
   // --- The I-buffer out, as pixels or as motion ---

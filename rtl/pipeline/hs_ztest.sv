@@ -9,11 +9,22 @@
 // TdbV for the Z-buffer. Of type delta the port of triangle_depth is one bit, and not looked at.
 // Interval, stall: as the unit that tests. Latency: one cycle more.
 // Scan-out: a read takes one cycle; the buffers' banks are those that the frame being scanned has.
+//
+// OutsideFrame: the buffers are in memory outside. Then hs_tile_cache stands before ztest_index and
+// has its RAMs, and hs_scan_rows has those of scan-out: start passes it, and waits for the first
+// tile; while scan_hold_o is 1 no word of scan must be taken; and a frame may be scanned when
+// stored_o has said so. Inside start only passes, and nothing holds.
 module hs_ztest #(
   parameter int unsigned LanesX,
   parameter int unsigned LanesY,
   parameter int unsigned StampFifoDepth,
   parameter int unsigned TriangleDepthFifoDepth,
+  parameter int unsigned OutsideFrame,
+  parameter int unsigned MemoryBits,
+  // Of hs_frame_memory.
+  localparam int unsigned MemoryOutBits =
+      OutsideFrame != 0 ? 5 * (1 + hs_memory_pkg::RequestBits) + 2 * (1 + MemoryBits) : 1,
+  localparam int unsigned MemoryInBits = OutsideFrame != 0 ? 3 * (2 + MemoryBits) + 6 : 1,
   localparam int unsigned Lanes = LanesX * LanesY,
   localparam int unsigned HasDepth = hs_formats_pkg::HasDepth,
   localparam int unsigned StoresDepth = hs_formats_pkg::StoresDepth,
@@ -46,19 +57,34 @@ module hs_ztest #(
   output hs_formats_pkg::visible_t     visible_o,
 
   // Scan-out
+  input  hs_formats_pkg::x_t           frame_width_i,
+  input  hs_formats_pkg::y_t           frame_height_i,
+  input  logic                         start_valid_i,
+  output logic                         start_ready_o,
+  input  logic                         start_clear_i,
+  output logic                         start_valid_o,
+  input  logic                         start_ready_i,
+  output logic                         scan_hold_o,
+  output logic                         stored_o,
   input  logic                         scan_bank_i,
   input  logic                         scan_read_en_i,
   input  logic                         scan_write_en_i,  // clears
   input  logic [AddressBits-1:0]       scan_address_i,
   output logic [Lanes*IndexBits-1:0]   scan_index_o,
-  output logic [DepthsBits-1:0]        scan_depth_o  // type gamma: 0
+  output logic [DepthsBits-1:0]        scan_depth_o,  // type gamma: 0
+
+  // Memory outside, of hs_frame_memory
+  input  hs_memory_pkg::bases_t        memory_bases_i,
+  output logic [MemoryOutBits-1:0]     memory_o,
+  input  logic [MemoryInBits-1:0]      memory_i
 );
   localparam int unsigned UpdateBits =
       PlaceBits + Lanes * (1 + (StoresDepth != 0 ? DepthBits : 0));
 
   // --- stamp ─► queue ---
-  logic stamp_valid, stamp_ready, tested_stamp_valid, tested_stamp_ready;
-  logic [StampBits-1:0] stamp, tested_stamp;
+  logic stamp_valid, stamp_ready, queued_stamp_valid, queued_stamp_ready;
+  logic tested_stamp_valid, tested_stamp_ready;
+  logic [StampBits-1:0] stamp, queued_stamp, tested_stamp;
 
   hs_stream #(
     .Width(StampBits)
@@ -80,9 +106,9 @@ module hs_ztest #(
     .in_valid_i (stamp_valid),
     .in_ready_o (stamp_ready),
     .in_i       (stamp),
-    .out_valid_o(tested_stamp_valid),
-    .out_ready_i(tested_stamp_ready),
-    .out_o      (tested_stamp)
+    .out_valid_o(queued_stamp_valid),
+    .out_ready_i(queued_stamp_ready),
+    .out_o      (queued_stamp)
   );
 
   // --- Z-test: ztest_index and Z-buffer, or ztest_plane and TdbV ---
@@ -93,6 +119,7 @@ module hs_ztest #(
   hs_formats_pkg::index_t write_index;
   logic update_valid;
   logic [UpdateBits-1:0] update;
+  logic [DepthsBits-1:0] written_depth, outside_depth;  // for buffers outside
 
   if (TestsPlanes != 0) begin : gen_planes
     localparam int unsigned EntryBits = $clog2(hs_formats_pkg::Triangles);
@@ -174,6 +201,7 @@ module hs_ztest #(
       .write_data_i   (store_plane)
     );
     assign scan_depth_o = '0;
+    assign written_depth = '0;
   end else begin : gen_depths
     logic [DepthsBits-1:0] read_depth, write_depth;
     logic unused_triangle_depth;
@@ -207,25 +235,31 @@ module hs_ztest #(
       .write_depth_o  (write_depth)
     );
 
-    hs_depth_buffer #(
-      .Lanes(Lanes),
-      .Depth(StampsX * StampsY)
-    ) u_depth_buffer (
-      .clk_i                (clk_i),
-      .rst_ni               (rst_ni),
-      .ztest_read_en_i      (read_en),
-      .ztest_read_bank_i    (read_bank),
-      .ztest_read_address_i (read_address),
-      .ztest_read_depth_o   (read_depth),
-      .ztest_write_en_i     (write_en),
-      .ztest_write_bank_i   (write_bank),
-      .ztest_write_address_i(write_address),
-      .ztest_write_depth_i  (write_depth),
-      .scan_bank_i          (scan_bank_i),
-      .scan_read_en_i       (scan_read_en_i),
-      .scan_address_i       (scan_address_i),
-      .scan_read_depth_o    (scan_depth_o)
-    );
+    assign written_depth = write_depth;
+    if (OutsideFrame != 0) begin : gen_depth_outside
+      assign read_depth = outside_depth;
+      assign scan_depth_o = '0;
+    end else begin : gen_depth_inside
+      hs_depth_buffer #(
+        .Lanes(Lanes),
+        .Depth(StampsX * StampsY)
+      ) u_depth_buffer (
+        .clk_i                (clk_i),
+        .rst_ni               (rst_ni),
+        .ztest_read_en_i      (read_en),
+        .ztest_read_bank_i    (read_bank),
+        .ztest_read_address_i (read_address),
+        .ztest_read_depth_o   (read_depth),
+        .ztest_write_en_i     (write_en),
+        .ztest_write_bank_i   (write_bank),
+        .ztest_write_address_i(write_address),
+        .ztest_write_depth_i  (write_depth),
+        .scan_bank_i          (scan_bank_i),
+        .scan_read_en_i       (scan_read_en_i),
+        .scan_address_i       (scan_address_i),
+        .scan_read_depth_o    (scan_depth_o)
+      );
+    end
   end
 
   // --- update, a probe: the writes with the place that their address stands for ---
@@ -244,25 +278,85 @@ module hs_ztest #(
     .word_o (update_word)
   );
 
-  // --- I-buffer ---
-  hs_index_buffer #(
-    .Lanes(Lanes),
-    .Depth(StampsX * StampsY)
-  ) u_index_buffer (
-    .clk_i                (clk_i),
-    .rst_ni               (rst_ni),
-    .ztest_read_en_i      (read_en),
-    .ztest_read_bank_i    (read_bank),
-    .ztest_read_address_i (read_address),
-    .ztest_read_index_o   (read_index),
-    .ztest_write_en_i     (write_en),
-    .ztest_write_bank_i   (write_bank),
-    .ztest_write_address_i(write_address),
-    .ztest_write_index_i  (write_index),
-    .scan_bank_i          (scan_bank_i),
-    .scan_read_en_i       (scan_read_en_i),
-    .scan_write_en_i      (scan_write_en_i),
-    .scan_address_i       (scan_address_i),
-    .scan_read_index_o    (scan_index_o)
-  );
+  // --- I-buffer; outside the Z-buffer, too ---
+  if (OutsideFrame == 0) begin : gen_inside
+    logic unused_outside;
+    assign unused_outside = ^{frame_width_i, frame_height_i, start_clear_i, memory_bases_i,
+                              memory_i, written_depth, outside_depth};
+    assign outside_depth = '0;
+    assign tested_stamp_valid = queued_stamp_valid;
+    assign queued_stamp_ready = tested_stamp_ready;
+    assign tested_stamp = queued_stamp;
+    assign start_valid_o = start_valid_i;
+    assign start_ready_o = start_ready_i;
+    assign scan_hold_o = 1'b0;
+    assign stored_o = 1'b0;
+    assign memory_o = '0;
+
+    hs_index_buffer #(
+      .Lanes(Lanes),
+      .Depth(StampsX * StampsY)
+    ) u_index_buffer (
+      .clk_i                (clk_i),
+      .rst_ni               (rst_ni),
+      .ztest_read_en_i      (read_en),
+      .ztest_read_bank_i    (read_bank),
+      .ztest_read_address_i (read_address),
+      .ztest_read_index_o   (read_index),
+      .ztest_write_en_i     (write_en),
+      .ztest_write_bank_i   (write_bank),
+      .ztest_write_address_i(write_address),
+      .ztest_write_index_i  (write_index),
+      .scan_bank_i          (scan_bank_i),
+      .scan_read_en_i       (scan_read_en_i),
+      .scan_write_en_i      (scan_write_en_i),
+      .scan_address_i       (scan_address_i),
+      .scan_read_index_o    (scan_index_o)
+    );
+  end else begin : gen_outside
+    logic unused_outside;
+    // Places go along with the stamps, and scan-out is in order.
+    assign unused_outside = ^{read_bank, read_address, write_bank, write_address, scan_write_en_i,
+                              scan_address_i};
+
+    if (TestsPlanes != 0) begin : gen_gamma_illegal
+      $error("hs_ztest: OutsideFrame must be 0 in type gamma");
+    end
+
+    hs_frame_memory #(
+      .LanesX    (LanesX),
+      .LanesY    (LanesY),
+      .MemoryBits(MemoryBits)
+    ) u_frame_memory (
+      .clk_i         (clk_i),
+      .rst_ni        (rst_ni),
+      .stamp_valid_i (queued_stamp_valid),
+      .stamp_ready_o (queued_stamp_ready),
+      .stamp_i       (queued_stamp),
+      .stamp_valid_o (tested_stamp_valid),
+      .stamp_ready_i (tested_stamp_ready),
+      .stamp_o       (tested_stamp),
+      .read_en_i     (read_en),
+      .read_index_o  (read_index),
+      .read_depth_o  (outside_depth),
+      .write_en_i    (write_en),
+      .write_index_i (write_index),
+      .write_depth_i (written_depth),
+      .stored_o      (stored_o),
+      .frame_width_i (frame_width_i),
+      .frame_height_i(frame_height_i),
+      .start_valid_i (start_valid_i),
+      .start_ready_o (start_ready_o),
+      .start_clear_i (start_clear_i),
+      .start_valid_o (start_valid_o),
+      .start_ready_i (start_ready_i),
+      .scan_hold_o   (scan_hold_o),
+      .scan_bank_i   (scan_bank_i),
+      .scan_read_en_i(scan_read_en_i),
+      .scan_index_o  (scan_index_o),
+      .memory_bases_i(memory_bases_i),
+      .memory_o      (memory_o),
+      .memory_i      (memory_i)
+    );
+  end
 endmodule

@@ -20,6 +20,7 @@
 #include "tb/report/accesses.hpp"
 #include "tb/report/rates.hpp"
 #include "tb/report/timeline.hpp"
+#include "tb/system/clients.hpp"
 #include "tb/system/partner.hpp"
 
 namespace halfspace::tb {
@@ -72,6 +73,7 @@ struct Result {
   std::vector<Accesses> accesses;
   Timeline timeline;
   std::vector<std::uint64_t> frame_ends;  // cycles
+  std::vector<ClientCount> clients;       // of memory outside, over all cycles
 
   std::size_t words() const;
   std::size_t mismatches() const;

@@ -77,6 +77,11 @@ Options parse_options(int argc, char** argv, const std::string& top) {
         ->check(CLI::Range(1, 1000000));
   }
   if (!unit && !system) {
+    app.add_option(
+           "--outside-latency", options.outside_latency,
+           "Of memory outside: cycles from a request to its first word, and then a word a cycle (default: random "
+           "latencies, waits and order, from the seed)")
+        ->check(CLI::Range(1, 10000));
     app.add_option("--setup-interval", options.setup_interval,
                    "Cycles that triangle_setup takes for a triangle, for the bound (default: SetupInterval of the "
                    "package)")

@@ -13,6 +13,7 @@ struct Options {
   std::uint64_t seed = 1;      // of the stalls and of memories without a reset
   int stall = 0;               // percent of the cycles
   std::uint64_t hang = 20000;  // cycles without a word that count as a hang
+  int outside_latency = -1;    // of memory outside, in cycles; < 0: random
   std::uint32_t mutant = 0;    // of a model that has some (tb/mutation.py)
   std::string json;
   std::string wave;        // the waveform around the first failure goes here

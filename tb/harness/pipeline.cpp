@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <memory>
 
 #include "tb/report/setup_work.hpp"
 
@@ -84,6 +85,18 @@ Bound bound_of(const Vectors& vectors, const Model& model, int setup_interval, s
   return bound;
 }
 
+namespace {
+
+// What serves the clients of a model with memory outside.
+std::unique_ptr<Clients> memory_of(Model* model, const Options& options, Bench* bench) {
+  if (!Clients::fits(*model)) return nullptr;
+  auto clients = std::make_unique<Clients>(model, seed_of(options.seed, "memory"), options.outside_latency);
+  bench->add_partner(clients.get());
+  return clients;
+}
+
+}  // namespace
+
 void run_part(Model* model, const Vectors& vectors, const Options& options) {
   Bench bench(model, &vectors, &options, "pipeline");
   const std::uint64_t some = 32 + Random(options.seed).next() % 1024;
@@ -91,6 +104,7 @@ void run_part(Model* model, const Vectors& vectors, const Options& options) {
   while (frame + 1 < vectors.frames.size() && vectors.find("triangle")->frame_words[frame] < 2) ++frame;
   bench.reset();
   bench.set_frame(vectors.frames[frame]);
+  const auto memory = memory_of(model, options, &bench);
   for (const auto& [name, port] : model->ports()) {
     if (port.input && port.bits == 1 && name.rfind("_ready_i") != std::string::npos) model->set(name, 1);
   }
@@ -121,6 +135,7 @@ Result run_pipeline(Model* model, const Vectors& vectors, const Options& options
   // Clearing takes longer than small frames: every other seed.
   if (options.seed % 2 == 0) run_part(model, vectors, options);
   Bench bench(model, &vectors, &options, "pipeline");
+  const auto memory = memory_of(model, options, &bench);
   const std::uint8_t* const busy = model->need("busy_o", 1).bit();
   Sender* triangles = nullptr;
   std::vector<std::pair<const Stream*, Sender*>> senders, loads;
@@ -198,6 +213,7 @@ Result run_pipeline(Model* model, const Vectors& vectors, const Options& options
   Result result;
   result.unit = "pipeline";
   bench.finish(&result);
+  if (memory) result.clients = memory->counts();
   stopwatch.stop(&result);
   const int chosen = model->constant("SetupCycles");  // a parameter of the module that tb/model.py was given
   const int setup_interval = options.setup_interval ? options.setup_interval

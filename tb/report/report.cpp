@@ -88,6 +88,10 @@ void print_result(const Vectors& vectors, const Result& result) {
               static_cast<unsigned long long>(result.simulated), result.seconds, million / result.seconds,
               million / result.processor_seconds);
   print_bound(result);
+  for (const ClientCount& client : result.clients) {
+    std::printf("memory: %-12s %8llu requests, %10llu bytes\n", client.name.c_str(),
+                static_cast<unsigned long long>(client.requests), static_cast<unsigned long long>(client.bytes));
+  }
   print_film(result);
   const std::string missing = result.missing() == 0 ? "" : std::to_string(result.missing()) + " missing, ";
   std::printf("%s %s %s: %zu words on %zu streams compared, %zu mismatches, %s%llu cycles\n",

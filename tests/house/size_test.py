@@ -11,7 +11,7 @@ from sources import is_package, sources
 FILES = 25   # of a folder
 LINES = 400  # of a file
 MEDIAN = 120
-SHORTER = {"rtl/pipeline/hs_pipeline.sv": 300}  # what a board connects, and no more
+SHORTER = {"rtl/pipeline/hs_pipeline.sv": 330}  # what a board connects, and no more
 # Longer than others, each with its reason. Packages, which are printed, do not count either.
 LONGER = {}
 
@@ -42,7 +42,7 @@ def prove_that_it_fails():
         root = pathlib.Path(name)
         for folder in ("rtl/pipeline", "many", "a"):
             (root / folder).mkdir(parents=True)
-        (root / "rtl/pipeline/hs_pipeline.sv").write_text("\n" * 301)
+        (root / "rtl/pipeline/hs_pipeline.sv").write_text("\n" * 331)
         (root / "a/long.py").write_text("\n" * 401)
         (root / "a/table.py").write_text("\n" * 401)
         (root / "a/hs_formats_pkg.sv").write_text("\n" * 401)
