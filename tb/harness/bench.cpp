@@ -117,7 +117,10 @@ void Bench::note_streams() {
 // The first cycle that is wrong is told.
 void Bench::look() {
   if (looked_wrong_) return;
-  std::string wrong = look_ ? look_() : "";
+  std::string wrong;
+  for (const auto& look : looks_) {
+    if (wrong.empty()) wrong = look();
+  }
   for (const Port* const port : zeros_) {
     const auto* const bytes = static_cast<const std::uint8_t*>(port->data);
     if (wrong.empty() && std::any_of(bytes, bytes + port->bytes, [](std::uint8_t byte) { return byte != 0; })) {

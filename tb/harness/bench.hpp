@@ -110,7 +110,7 @@ class Bench {
   // Outputs that have to be 0 in each cycle.
   void keep_zero(std::vector<const Port*> ports) { zeros_ = std::move(ports); }
   // Looks at the model in each cycle, the clock low, and says what is wrong with it, or "".
-  void on_cycle(std::function<std::string()> look) { look_ = std::move(look); }
+  void on_cycle(std::function<std::string()> look) { looks_.push_back(std::move(look)); }
   // From the first word on; all streams are there.
   void keep_timeline();
   void reset();
@@ -167,7 +167,7 @@ class Bench {
   std::deque<Receiver> receivers_;
   std::deque<Memory> memories_;
   std::vector<const Port*> zeros_;
-  std::function<std::string()> look_;
+  std::vector<std::function<std::string()>> looks_;
   bool looked_wrong_ = false;
   std::vector<Partner*> partners_;
   std::vector<std::string> failures_;

@@ -7,6 +7,7 @@
 #include "tb/film/kept.hpp"
 #include "tb/harness/plan.hpp"
 #include "tb/report/unit_work.hpp"
+#include "tb/report/watch.hpp"
 
 namespace halfspace::tb {
 namespace {
@@ -20,8 +21,9 @@ constexpr std::uint64_t kClearPatience = 4'000'000;
 constexpr const char* kSecondScan = " (second scan: the first one has to leave the I-buffer cleared)";
 constexpr const char* kScanAfterClear = " (scan after a token with start_clear_i)";
 
-// How many frames are tried behind a reset: what a reset left shows in some only.
+// How many frames are tried behind a reset, and then a long one: what a reset left shows in some only.
 unsigned turns_of(const Vectors& vectors) { return vectors.frames.size() < 16 ? 1 : 8; }
+constexpr std::size_t kLong = 4096;  // words of a long one, at most
 
 // A unit on its bench, with the state that lasts from frame to frame.
 class UnitBench {
@@ -54,7 +56,9 @@ class UnitBench {
       for (std::uint32_t token = 0; token < 4; ++token) *tokens_.words.append() = token;
     }
     bench_.keep_zero(plan_.zeros);
-    if (index_buffer_) bench_.on_cycle([this] { return misplaced(); });
+    const auto watch = [this](auto watched) { bench_.on_cycle([watched]() mutable { return watched.wrong(); }); };
+    if (index_buffer_) watch(ZtestWatch(*model, vectors));
+    if (NoneLeftWatch::fits(*model, vectors)) watch(NoneLeftWatch(*model, vectors));
   }
 
   void run(Result* result) {
@@ -76,12 +80,13 @@ class UnitBench {
     stopwatch.stop(result);
   }
 
-  // A frame with words at every end, any from `turn` shares of the set on: until a cycle in the midst of it, or all.
+  // A frame with words at every end, any from `turn` shares of the set on, behind them a long one: until a cycle in the
+  // midst of it, or all.
   void run_part(bool whole, unsigned turn, const std::string& note, Result* result) {
     result->unit = bench_.name();
     bench_.reset();
     const std::size_t frames = vectors_.frames.size();
-    std::size_t frame = frames * turn / turns_of(vectors_);
+    std::size_t frame = turn == turns_of(vectors_) ? long_frame() : frames * turn / turns_of(vectors_);
     for (std::size_t n = 0; n < frames && !has_words(frame); ++n) frame = (frame + 1) % frames;
     const std::uint64_t some = 8 + Random(seed_of(options_.seed + turn, "part")).next() % 512;
     const auto is_there = [&] { return bench_.all_done() || (!whole && bench_.cycle() > some); };
@@ -103,24 +108,6 @@ class UnitBench {
   // What ztest_merge is to do is a word of a stream, so its runs follow each other at once. Others see the end of each
   // frame: a unit that then waits for a word of the next one hangs.
   bool follows() { return bench_.model().find("merge_valid_i") != nullptr; }
-
-  // A unit that reads and writes one wrong place finds again what it wrote: only the place tells.
-  std::string misplaced() const {
-    const Model& model = bench_.model();
-    if (*model.need("update_valid_o", 1).bit() == 0) return "";
-    const Stream& update = need_stream(vectors_, "update");
-    const Port& word = model.need("update_o", update.bits);
-    const auto field = [&](const char* name) {
-      return update.need(name, "the bench of a Z-test").raw(static_cast<const std::uint32_t*>(word.data));
-    };
-    const std::uint64_t x = field("x"), y = field("y"), place = y * stamps_x() + x;
-    const Port& port = model.need("write_address_o");
-    std::uint32_t address = 0;
-    std::memcpy(&address, port.data, std::size_t(std::min(port.bytes, 4)));
-    if (address == place) return "";
-    return "place: update at stamp (" + std::to_string(x) + ", " + std::to_string(y) + ") has write_address_o " +
-           std::to_string(address) + ", and not " + std::to_string(place);
-  }
 
   std::size_t stamps_x() const {
     return std::size_t(bench_.model().constant("MaxWidth") + vectors_.lanes_x - 1) / vectors_.lanes_x;
@@ -150,6 +137,20 @@ class UnitBench {
     const auto some = [&](const Plan::End& end) { return end.stream->frame_words[frame] != 0; };
     return std::all_of(plan_.takes.begin(), plan_.takes.end(), some) &&
            std::all_of(plan_.sends.begin(), plan_.sends.end(), some);
+  }
+
+  std::size_t long_frame() const {
+    std::size_t best = 0, most = 0;
+    for (std::size_t frame = 0; frame < vectors_.frames.size(); ++frame) {
+      std::size_t words = 0;
+      for (const auto* const list : {&plan_.takes, &plan_.sends}) {
+        for (const Plan::End& end : *list) words += end.stream->frame_words[frame];
+      }
+      if (!has_words(frame) || words <= most || words > kLong) continue;
+      best = frame;
+      most = words;
+    }
+    return best;
   }
 
   // Whether what stays for a frame, where the unit has it, is the same in the one before.
@@ -381,7 +382,7 @@ Result run_unit(const Vectors& vectors, const Options& options) {
   }
   if (found()) return result;
   const std::unique_ptr<Model> model = make_model(options.seed, Start::kRandom);
-  for (unsigned turn = 0; turn < turns_of(vectors); ++turn)
+  for (unsigned turn = 0; turn <= turns_of(vectors); ++turn)
     UnitBench(model.get(), vectors, options).run_part(false, turn, " (a frame that a reset ends)", &result);
   UnitBench(model.get(), vectors, options).run(&result);
   return result;

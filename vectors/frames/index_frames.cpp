@@ -77,6 +77,13 @@ std::vector<NamedFrame> index_frames(const ref::RasterFormat& format, const Conf
     cells.visible(window + 4);
     return true;
   });
+  // All indices are in use, and no triangle is without one. The longest, so that it is tried behind a reset.
+  add("indices run out, and all that follow find one that came back", [&](Cells& cells) {
+    if (n < window + 1 || n > cells.room()) return false;
+    cells.visible(n - window);
+    cells.invisible(3 * window);
+    return true;
+  });
   for (int k = 0; k < 4; ++k) {
     add("one triangle", [&](Cells& cells) {
       cells.visible(1);
