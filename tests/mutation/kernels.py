@@ -36,12 +36,13 @@ BASE = ["exhaustive_test", "frame_test", "bits:odd"]
 PROGRAMS = {
     "setup": ["plane_test", "exhaustive_test", "cull_test", "bits:odd", "bits:phong_low", "bits:textured_low"],
     "raster": BASE,
-    "ztest": ["frame_test", "index_pool_test", "gamma_test", "bits:odd", "bits:pool"],
-    "shade": ["scan_index_test", "shaded_frame_test", "lighting_test", "phong_test", "bits:phong_low", "bits:lit_low"],
+    "ztest": ["ztest_plane_test", "frame_test", "index_pool_test", "gamma_test", "bits:odd", "bits:pool"],
+    "shade": ["scan_index_test", "shaded_frame_test", "lighting_test", "phong_test", "bits:phong_middle",
+              "bits:lit_low", "bits:flat_only"],
     "texture": ["scanned_frame_test", "texture_kernel_test", "bits:textured_low", "bits:textured_middle"],
-    "motion": ["film_units_test", "scanned_frame_test", "compensate_kernel_test", "motion_field_test",
-               "bits:motion_cubic", "bits:film_tiny", "bits:film_textured"],
-    "objects": ["merge_test", "static_kernel_test", "bits:objects_low"],
+    "motion": ["film_frame_test", "film_units_test", "scanned_frame_test", "compensate_kernel_test",
+               "motion_field_test", "bits:motion_cubic", "bits:film_tiny", "bits:film_textured"],
+    "objects": ["whole_frame_test", "merge_test", "static_kernel_test", "bits:objects_low"],
     "formats": ["shaded_frame_test", "scanned_frame_test", "bits:odd", "bits:film_tiny"],
     "numbers": ["arithmetic_test", *BASE, "lighting_test", "bits:textured_middle", "bits:motion_cubic"],
 }
