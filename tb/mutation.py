@@ -68,7 +68,7 @@ class Bench:
     begin of it, and before it UNIT: that of another unit."""
 
     def __init__(self, args, unit, name, chosen):
-        other, _, rest = name.rpartition(":")
+        other, rest = re.fullmatch(r"(?:(\w+):)?(.*)", name).groups()
         config, lanes, scene, given = (*rest.split("/"), "", "", "")[:4]
         self.args, self.unit, self.name = args, other or unit, name
         self.own = self.unit == unit or self.unit not in WHOLE
