@@ -267,7 +267,7 @@ def mutants(text, constexpr=False):
             if new.split() != said.split():
                 news.setdefault(" ".join(new.split()), what)
         if kind == "statement":
-            news[""] = "left out"
+            news[""] = "without " + " ".join(said.split())
         found += [(site, what, new) for new, what in news.items()]
     return found
 

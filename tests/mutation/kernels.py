@@ -6,7 +6,7 @@ All mutants stand in one copy of hls/ and are chosen by a number at run time (ke
 compiled once. The programs are GoogleTests of a build folder, with what they need of model/, and vectors/bits.py, which
 holds the words of every stream, on some configurations. Each mutant goes through the tests of its room until one fails.
 A line tells of each how it was found, or that it survived; one that is equivalent stands with its reason in --reasons:
-`FILE | WHAT | NEW TEXT | REASON`.
+`FILE :: WHAT :: NEW TEXT :: REASON`.
 
 With --faults named faults take the place of random ones, and each names the test that has to find it."""
 
@@ -37,14 +37,15 @@ PROGRAMS = {
     "setup": ["plane_test", "exhaustive_test", "cull_test", "bits:odd", "bits:phong_low", "bits:textured_low"],
     "raster": BASE,
     "ztest": ["ztest_plane_test", "frame_test", "index_pool_test", "gamma_test", "bits:odd", "bits:pool"],
-    "shade": ["scan_index_test", "shaded_frame_test", "lighting_test", "phong_test", "bits:phong_middle",
-              "bits:lit_low", "bits:flat_only"],
+    "shade": ["scan_index_test", "shaded_frame_test", "lighting_exact_test", "lighting_test", "phong_test",
+              "bits:phong_middle", "bits:lit_low", "bits:flat_only"],
     "texture": ["scanned_frame_test", "texture_kernel_test", "bits:textured_low", "bits:textured_middle"],
     "motion": ["film_frame_test", "film_units_test", "scanned_frame_test", "compensate_kernel_test",
                "motion_field_test", "bits:motion_cubic", "bits:film_tiny", "bits:film_textured"],
     "objects": ["whole_frame_test", "merge_test", "static_kernel_test", "bits:objects_low"],
-    "formats": ["shaded_frame_test", "scanned_frame_test", "bits:odd", "bits:film_tiny"],
-    "numbers": ["arithmetic_test", *BASE, "lighting_test", "bits:textured_middle", "bits:motion_cubic"],
+    "formats": ["ztest_plane_test", "shaded_frame_test", "scanned_frame_test", "bits:odd", "bits:film_tiny"],
+    "numbers": ["arithmetic_test", "plane_test", "lighting_exact_test", *BASE, "bits:textured_middle",
+                "bits:motion_cubic"],
 }
 ENGINES = """#include "hls/formats/configs/high.hpp"
 #include "hls/formats/configs/low.hpp"
@@ -279,8 +280,8 @@ def try_faults(args):
 
 
 def reasons_of(path):
-    rows = [line.split(" | ") for line in path.read_text().splitlines() if line and not line.startswith("#")]
-    return {tuple(cell.strip() for cell in row[:3]): row[3] for row in rows}
+    rows = [line.split(" :: ") for line in path.read_text().splitlines() if line and not line.startswith("#")]
+    return {tuple(row[:3]): row[3] for row in rows}
 
 
 def all_mutants(files):
@@ -345,7 +346,7 @@ def main():
                 by[program] += 1
             state = "found   " if program else "the same" if reason else "SURVIVES"
             at = kernel_mutants.line_of(path.read_text(), site[1])
-            print(f"{state} {number:4} {path.name}:{at} | {what} | {new} | {program} {how or reason}", flush=True)
+            print(f"{state} {number:4} {path.name}:{at} :: {what} :: {new} :: {program} {how or reason}", flush=True)
     different = len(tree.chosen) - equivalent
     share = 100 * found / different if different else 0
     print(", ".join(f"{program} {number}" for program, number in by.items() if number))

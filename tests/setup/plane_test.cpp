@@ -75,5 +75,26 @@ TEST(RoundedProduct, OfANumeratorAndAReciprocal) {
   expect_product<Formats<High, Stamp1>, Formats<High, Stamp1>::ColourChannel>();
 }
 
+// Vertex 0 is one of those given, and the others follow it, or follow it backwards.
+TEST(Vertices, AreThoseGivenInOrder) {
+  using F = Formats<Low, Stamp1>;
+  for (int first = 0; first < 3; ++first) {
+    for (const bool turned : {false, true}) {
+      Attributes<F> in{};
+      in.first = from_raw<VertexNumber>(first);
+      in.turned = from_raw<Bit>(turned);
+      VertexOrder order = {{7, 7, 7}};
+      order = vertex_order(in);
+      const F::Colour given[3] = {from_raw<F::Colour>(10), from_raw<F::Colour>(11), from_raw<F::Colour>(12)};
+      F::Colour ordered[3] = {};
+      put_in_order(given, order, ordered);
+      for (int i = 0; i < 3; ++i) {
+        EXPECT_EQ(order.vertex[i], (first + (turned ? 3 - i : i)) % 3) << first << turned << i;
+        EXPECT_EQ(int(raw(ordered[i])), 10 + order.vertex[i]);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace halfspace::tests
