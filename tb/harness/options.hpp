@@ -25,7 +25,7 @@ struct Options {
   std::string dump, dump_index;
   std::string pictures;  // a folder
   // hs_system only:
-  int latency = 40;     // cycles of the memory
+  int latency = -1;     // of the memory, in cycles; < 0: 40
   bool refresh = true;  // it pauses now and then
   // 0: not. The first list is stopped, or all is reset, after so many cycles; or this burst is answered with an error.
   std::uint64_t stop_at = 0, reset_at = 0, break_read = 0, break_write = 0;

@@ -27,7 +27,8 @@ struct Board {
 
   Board(Model* model, const Vectors& vectors, const Options& options, Bytes* bytes)
       : bench(model, &vectors, &options, "system"),
-        memory(*model, bytes, {options.latency, options.stall, options.refresh, options.seed}),
+        memory(*model, bytes,
+               {options.latency < 0 ? 40 : options.latency, options.stall, options.refresh, options.seed}),
         registers(*model, options.seed, options.stall, [this] { bench.idle(1); }),
         video(*model, options.seed, options.stall) {
     bench.add_partner(&memory);
