@@ -13,6 +13,7 @@ namespace {
 // Where the piece of memory begins that the driver gives out: triangles of a small frame cross 4 KiB.
 constexpr std::uint32_t kBase = 0x10f40;
 constexpr std::size_t kBytes = std::size_t(1) << 28;
+constexpr std::uint32_t kDirty = 1u << 22;
 constexpr std::uint32_t kIndexBase = 0x0c000000, kDepthBase = 0x0d000000, kPlanesBase = 0x0e000000;
 
 constexpr std::uint32_t kNoRegister = 0xfc;
@@ -139,6 +140,7 @@ void run_trouble(Model* model, const Vectors& vectors, const Options& options, B
       board.bench.fail("trouble: no interrupt comes");
     }
     for (int n = 0; n < 1000 && hs_busy(&board.device); ++n) board.bench.idle(10);
+    if (!board.memory.idle()) board.bench.fail("trouble: a transfer is under way, and it is not busy");
     const hs_state state = hs_status(&board.device);
     const std::uint32_t happened = hs_happened(&board.device);
     const bool stops = options.stop_at != 0;
@@ -152,7 +154,6 @@ void run_trouble(Model* model, const Vectors& vectors, const Options& options, B
     }
     board.bench.idle(1);
     if (board.interrupt()) board.bench.fail("trouble: the interrupt stays");
-    if (!board.memory.idle()) board.bench.fail("trouble: a transfer is under way, and it is not busy");
   }
   board.bench.abandon(" (given up)", result);
   std::printf("given up: after %llu cycles\n", static_cast<unsigned long long>(board.bench.cycle()));
@@ -205,6 +206,11 @@ Result run_system(Model* model, const Vectors& vectors, const Options& options, 
   lists.back().insert(lists.back().end(), std::size_t(options.frames - 1), lists.back().back());
 
   Bytes bytes(kBytes);
+  // Buffers of the frame begin with anything.
+  Random random(options.seed);
+  for (const std::uint32_t base : {kIndexBase, kDepthBase, kPlanesBase}) {
+    for (std::uint32_t at = 0; at < kDirty; ++at) bytes[base + at] = std::uint8_t(random.next());
+  }
   Result result;
   result.unit = "system";
   const Stopwatch stopwatch;
