@@ -47,7 +47,7 @@ def tops_of(package, chosen):
 def outside_of(top, package):
     """The pipeline is looked at with memory inside and, where it can have it so, outside."""
     numbers = constants(package.read_text())
-    can = top == "hs_pipeline" and not (GAMMA(numbers) or OBJECTS(numbers) or MOTION(numbers))
+    can = top in ("hs_pipeline", "hs_system") and not (GAMMA(numbers) or OBJECTS(numbers) or MOTION(numbers))
     return [{}, {"OutsideFrame": 1, "OutsidePlanes": 1}] if can else [{}]
 
 
