@@ -2,11 +2,16 @@
 // halfspace config and halfspace package
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "cli/commands.hpp"
+#include "cli/common/area.hpp"
 #include "cli/common/output.hpp"
+#include "cli/common/progress.hpp"
+#include "cli/parts/parts.hpp"
 #include "model/formats/configuration.hpp"
 #include "model/formats/format_fields.hpp"
 #include "model/package/package.hpp"
@@ -70,9 +75,83 @@ void print_table(const std::vector<Configuration>& configurations, bool markdown
 
 struct ConfigOptions {
   std::vector<std::string> configurations = {"low", "middle", "high"};
-  std::string header, toml, json;
-  bool markdown = false;
+  std::string header, toml, json, area = "none", work = "area_of_parts";
+  bool markdown = false, parts = false;
 };
+
+// What the pipeline takes with one lane, for each family that is asked for.
+struct Needs {
+  std::string name;
+  std::vector<std::optional<Circuit>> circuits;
+  std::vector<std::uint64_t> blocks;
+};
+
+std::string cell(const std::optional<Circuit>& circuit) {
+  return circuit ? fmt::format("{} / {} / {}", circuit->luts, circuit->multipliers, circuit->blocks) : "–";
+}
+
+Json print_parts(const ConfigOptions& options, const std::vector<Configuration>& configurations) {
+  const std::vector<std::string> targets = area_targets(options.area);
+  std::vector<const Family*> families;
+  for (const Fpga& part : parts()) {
+    if (families.empty() || families.back() != part.family) families.push_back(part.family);
+  }
+  std::vector<Needs> needs;
+  for (const Configuration& configuration : configurations) {
+    Config alone = configuration.config();
+    alone.lanes = 1;
+    const Configuration one(configuration.name(), alone);
+    Json area;
+    if (!targets.empty()) {
+      const Waiting waiting(fmt::format("area of {} by Yosys, some minutes", one.name()));
+      area = measure_area(one, targets, options.work);
+    }
+    Needs& mine = needs.emplace_back(Needs{one.name(), {}, {}});
+    for (const Family* family : families) {
+      const bool measured = std::find(targets.begin(), targets.end(), family->target) != targets.end();
+      mine.circuits.push_back(measured ? measured_circuit(area, *family) : known_circuit(one.name(), *family));
+      mine.blocks.push_back(frame_blocks(one, *family));
+    }
+  }
+  const auto row = [&](const std::string& first, const auto& cell_of, const std::string& last) {
+    std::string line = options.markdown ? "| " + first : fmt::format("{:<46}", first);
+    for (const Needs& one : needs)
+      line += options.markdown ? " | " + cell_of(one) : fmt::format(" {:>19}", cell_of(one));
+    line += options.markdown ? " | " + last + " |" : "  " + last;
+    fmt::print("{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
+  };
+  row(
+      "one lane", [](const Needs& one) { return one.name; }, "");
+  if (options.markdown)
+    row(
+        "---", [](const Needs&) { return std::string("---"); }, "---");
+  Json json = Json::object();
+  for (std::size_t f = 0; f < families.size(); ++f) {
+    row(
+        fmt::format("{}: blocks of {} kbit for a frame", families[f]->title, families[f]->block_kbit),
+        [&](const Needs& one) { return fmt::format("{}", one.blocks[f]); }, "");
+    row(
+        fmt::format("{}: LUTs / multipliers / blocks besides", families[f]->title),
+        [&](const Needs& one) { return cell(one.circuits[f]); }, "");
+  }
+  for (const Fpga& part : parts()) {
+    const auto f = std::size_t(std::find(families.begin(), families.end(), part.family) - families.begin());
+    const std::string has = options.markdown
+                                ? fmt::format("`{}`: {} LUTs, {} multipliers, {} × {} kbit", part.name, part.luts,
+                                              part.multipliers, part.blocks, part.family->block_kbit)
+                                : fmt::format("{:<10} {:>7} LUTs {:>4} mult. {:>4} x {:>2} kbit", part.name, part.luts,
+                                              part.multipliers, part.blocks, part.family->block_kbit);
+    row(
+        has, [&](const Needs& one) { return holds(part, one.circuits[f], one.blocks[f]); },
+        std::string(part.source) + (*part.besides ? ", and " + std::string(part.besides) : ""));
+    for (const Needs& one : needs) json[one.name][part.name] = holds(part, one.circuits[f], one.blocks[f]);
+  }
+  if (options.markdown) return json;
+  fmt::print(
+      "inside: the part holds pipeline and memories of the frame; outside: the pipeline alone, if they lie elsewhere; "
+      "no:\nwhat it has too little of; ?: by memory alone, as the circuit was not measured: --area does.\n");
+  return json;
+}
 
 void config(const ConfigOptions& options) {
   std::vector<Configuration> configurations;
@@ -82,6 +161,7 @@ void config(const ConfigOptions& options) {
   }
   if (!options.header.empty()) model::write_file(options.header, model::configuration_header(configurations[0]));
   if (!options.toml.empty()) model::write_file(options.toml, model::configuration_toml(configurations[0]));
+  if (options.parts) return write_json(options.json, print_parts(options, configurations));
   Json json = Json::array();
   for (const Configuration& c : configurations) json.push_back(config_json(c));
   write_json(options.json, json);
@@ -96,12 +176,21 @@ void add_config(CLI::App& app, int&) {
   command->footer(
       "  halfspace config middle                      the numbers, and every width that follows\n"
       "  halfspace config middle --toml mine.toml     a configuration to begin with\n"
+      "  halfspace config low middle --parts          which FPGAs hold them\n"
       "A configuration is a .toml file: every command takes its path in the place of a name. A combination that cannot "
       "be\nbuilt is refused with its reason.\n");
   command->add_option("CONFIG", options->configurations, "low, middle, high or .toml files")->capture_default_str();
   add_output_file(command, "--header", options->header, "C++ header to write, for hls/formats/configs/");
   add_output_file(command, "--toml", options->toml, "TOML file to write");
   command->add_flag("--markdown", options->markdown, "the table in Markdown");
+  command->add_flag("--parts", options->parts,
+                    "block RAMs, LUTs and multipliers of the pipeline, and which of ten FPGAs hold it, the memories of "
+                    "the frame inside or outside");
+  command
+      ->add_option("--area", options->area,
+                   "with --parts: targets for Yosys, which takes minutes: xilinx,ecp5,ice40, all, or none")
+      ->capture_default_str();
+  add_output_folder(command, "--work", options->work, "with --parts --area: folder while Yosys runs");
   add_json(command, options->json);
   command->callback([options] { config(*options); });
 }

@@ -18,6 +18,7 @@
 #include "cli/common/output.hpp"
 #include "cli/common/progress.hpp"
 #include "cli/common/scene_frames.hpp"
+#include "cli/parts/fit_part.hpp"
 #include "cli/plots/picture.hpp"
 #include "model/formats/format_fields.hpp"
 #include "model/pipeline/engine.hpp"
@@ -37,7 +38,7 @@ struct FitOptions {
   model::FitGoal goal;
   int lanes = 0;
   std::string output, work, json, area = "xilinx", cost = "memory", shading = "gouraud";
-  std::string filter = "bilinear";
+  std::string filter = "bilinear", part;
   int keys = 0;
   bool lit = false;
   bool cosim = true;
@@ -234,16 +235,17 @@ void fit(FitOptions options) {
     return fit_between({options.input, options.goal, options.keys, options.filter, options.cost, options.output,
                         options.work, options.json, options.cosim});
   }
-  const std::vector<std::string> targets = area_targets(options.area);
+  const Fpga* part = options.part.empty() ? nullptr : &find_part(options.part);
+  if (part && options.lanes == 0) options.lanes = 1;
+  const std::vector<std::string> targets = area_targets(part ? "none" : options.area);
   std::optional<model::StagedFile> output;  // before the work: whether it can be written
   if (!options.output.empty()) output.emplace(options.output);
   const FitScene scene = load_frames(options.input);
   const model::Requirements needed = model::requirements(scene);
   if (needed.triangles == 0) {
-    throw ref::Error(
-        fmt::format("{}: nothing of it is in the frames that are looked at: choose others by --frames, or "
-                    "another camera",
-                    scene.name));
+    throw ref::Error(fmt::format(
+        "{}: nothing of it is in the frames that are looked at: choose others by --frames, or another camera",
+        scene.name));
   }
   print(needed, scene);
   model::FitGoal& goal = options.goal;
@@ -254,13 +256,18 @@ void fit(FitOptions options) {
     throw ref::Error(
         fmt::format("{}: its triangles have colours and no normals: leave out --lit and --shading phong", scene.name));
   fmt::print("  the ideal picture: {}; what is to be least: {}\n", ref::name_of(goal.look), options.cost);
-  const std::string name = options.output.empty() ? name_of(scene.name) : name_of(options.output);
+  const std::string name = name_of(options.output.empty() ? scene.name : options.output);
   const std::string work = options.work.empty() ? "fit_" + name : options.work;
   model::make_folder(work);
   goal.measured = synthesis(options, targets, work);
   Progress progress("fit " + scene.name + ": configurations tried");
-  const Fit found = model::fit_configuration(scene, name, options.goal, options.lanes,
-                                             [&](std::uint64_t tried) { progress.tell(tried, tried); });
+  const auto search = [&](const model::FitGoal& aim) {
+    return model::fit_configuration(scene, name, aim, options.lanes,
+                                    [&](std::uint64_t tried) { progress.tell(tried, tried); });
+  };
+  const bool circuit = options.area != "none";
+  const Fit found = part ? fit_in_part(*part, options.input.scene, goal, circuit, work, search) : search(goal);
+  goal.psnr = std::min(goal.psnr, found.outcome.psnr);  // of a part that holds less
   fmt::print(
       "\n{} configurations tried, {} from which nothing can be taken: {:.2f} dB, a colour off by {:.2f} LSB at "
       "most, {} pixels of another face\n",
@@ -332,7 +339,8 @@ void add_fit(CLI::App& app, int&) {
       "  halfspace fit teapot --size 160x120 --shading phong --psnr 38 --area none -o phong.toml  lit by the hardware\n"
       "  halfspace fit drone --keys 1 --frames 0:4 --size 96x72 --psnr 50 --no-cosim -o motion.toml  frames in "
       "between\n"
-      "Without --area none, its circuit beside that of high, by Yosys: minutes.\n");
+      "  halfspace fit cube --size 160x120 --psnr 30 --part up5k -o part.toml  what a small FPGA holds\n"
+      "Without --area none, its circuit beside that of high, or in the --part, by Yosys: minutes.\n");
   add_frame_options(command, options->input);
   command
       ->add_option("--views", options->input.views,
@@ -378,6 +386,8 @@ void add_fit(CLI::App& app, int&) {
                     "let pixels know their objects, for static objects buffers, where some move, some stand still, and "
                     "it saves cycles");
   command->add_option("--lanes", options->lanes, "pixels a cycle; default: the fewest");
+  command->add_option("--part", options->part,
+                      "an FPGA of `halfspace config --parts`, that has to hold it; asks for fewer dB until it does");
   add_output_file(command, "-o,--output", options->output, "configuration to write");
   add_output_folder(command, "--work", options->work, "folder for the bench and the vectors; default: fit_NAME");
   command->add_flag("--cosim,!--no-cosim", options->cosim, "co-simulate the RTL of what is found");

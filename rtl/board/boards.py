@@ -16,7 +16,7 @@ class Board:
     device: str         # of synth_ice40
     pixel_mhz: float    # clk_pixel; clk_half is half of it
     entries: int        # triangles of the lists
-    multipliers: bool   # there are SB_MAC16: products of 9 by 4 bits and more are made of them
+    multipliers: int    # SB_MAC16
     memories: bool      # there are single-port RAMs: the buffers of the frame lie in them
 
     @property
@@ -37,6 +37,8 @@ class Board:
 
 
 BOARDS = {board.name: board for board in (
-    Board("icebreaker", "iCEBreaker, iCE40 UP5K, DVI PMOD of 12 bits", "up5k", "sg48", "u", 12 * 67 / 32, 256, True,
+    Board("icebreaker", "iCEBreaker, iCE40 UP5K, DVI PMOD of 12 bits", "up5k", "sg48", "u", 12 * 67 / 32, 256, 8,
           True),
+    Board("hx8k", "iCE40-HX8K breakout board, video at a header", "hx8k", "ct256", "hx", 12 * 67 / 32, 256, 0,
+          False),
 )}

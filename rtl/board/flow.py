@@ -12,6 +12,9 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 from units import ordered  # noqa: E402
 
 
+LEAST = (7, 8, 9, 11, 13, 17)  # bits of a factor that is worth a multiplier: all there are, if one can have them
+
+
 class FlowError(Exception):
     """A sentence."""
 
@@ -38,8 +41,9 @@ def parameters(board, lists, background):
     return {"Entries": board.entries, "Background": background, "File": f'"{lists.name}"'}
 
 
-def synthesis(board, package, lists, background, out):
-    """Yosys' script: OUT/board.json for nextpnr, OUT/netlist.v for simulators."""
+def synthesis(board, package, lists, background, least):
+    """Yosys' script: OUT/board.json for nextpnr, OUT/netlist.v for simulators. Factors of `least` bits and more go to
+    multipliers, and it ends with an error where these are more than there are."""
     read = " ".join(f'"{path}"' for path in sources(board, package))
     chosen = " ".join(f"-set {name} {value}" for name, value in parameters(board, lists, background).items())
     script = [f"read_verilog -sv {read}", "read_verilog -lib +/ice40/cells_sim.v", f"chparam {chosen} {board.name}",
@@ -49,11 +53,11 @@ def synthesis(board, package, lists, background, out):
         # The buffers of the frame, whatever a block RAM would cost.
         script.append('setattr -set ram_style "huge" m:*u_memory.words_q m:*u_depth_buffer.words_q')
     if board.multipliers:
-        # As synth_ice40 -dsp does, but for the least that is worth a multiplier: there are eight.
+        # As synth_ice40 -dsp does, but for what is worth a multiplier.
         script += ["techmap -map +/mul2dsp.v -map +/ice40/dsp_map.v -D DSP_A_MAXWIDTH=16 -D DSP_B_MAXWIDTH=16 "
-                   "-D DSP_A_MINWIDTH=4 -D DSP_B_MINWIDTH=9 -D DSP_Y_MINWIDTH=11 -D DSP_NAME=$__MUL16X16",
+                   f"-D DSP_A_MINWIDTH=4 -D DSP_B_MINWIDTH={least} -D DSP_Y_MINWIDTH=11 -D DSP_NAME=$__MUL16X16",
                    "setattr -unset mul2dsp a:mul2dsp", "opt_expr -fine", "opt_clean", "ice40_dsp",
-                   "chtype -set $mul t:$__soft_mul"]
+                   f"select -assert-max {board.multipliers} t:SB_MAC16", "chtype -set $mul t:$__soft_mul"]
     spram = " -spram" if board.memories else ""
     script += [f"synth_ice40 -device {board.device}{spram} -top {board.name} -json board.json",
                "write_verilog -noattr netlist.v"]
@@ -61,9 +65,15 @@ def synthesis(board, package, lists, background, out):
 
 
 def synthesize(board, package, lists, background, out, yosys="yosys"):
+    """With as many products in multipliers as there are."""
     script = out / "board.ys"
-    script.write_text("\n".join(synthesis(board, package, lists, background, out)) + "\n")
-    run([yosys, script.name], out / "yosys.log", cwd=out)
+    for least in LEAST:
+        script.write_text("\n".join(synthesis(board, package, lists, background, least)) + "\n")
+        try:
+            return run([yosys, script.name], out / "yosys.log", cwd=out)
+        except FlowError as error:
+            if "ssertion failed" not in str(error) or least == LEAST[-1]:
+                raise
 
 
 def place(board, out, seed=1, nextpnr="nextpnr-ice40", icepack="icepack"):

@@ -83,6 +83,10 @@ FitArchitecture choose_architecture(Config& c, const FitGoal& goal,
   Config gamma = c;
   gamma.architecture = Architecture::kGamma;
   FitArchitecture found{memory_bits(c).depth, memory_bits(gamma).visibility, cycles_of(c), 0, ""};
+  if (goal.z_buffer) {
+    found.why = "a Z-buffer is asked for";
+    return found;
+  }
   if (const Refusal reason = refusal(gamma); reason != Refusal::kNone) {
     found.why = "gamma is refused: " + refusal_text(reason);
     return found;

@@ -38,6 +38,7 @@ struct FitGoal {
   std::function<double(const Configuration&)> measured = nullptr;
   std::uint64_t cycles = 0;     // a frame at most, by the model; 0: not asked
   bool static_objects = false;  // S-buffers for what stands still, where they save cycles
+  bool z_buffer = false;        // type delta, whatever it takes
 };
 
 struct FitScene {

@@ -62,3 +62,30 @@ module SB_PLL40_2F_PAD #(
   assign PLLOUTGLOBALB = half;
   assign LOCK = count[5];
 endmodule
+
+// The same with its input from the logic.
+module SB_PLL40_2F_CORE #(
+  parameter FEEDBACK_PATH = "SIMPLE",
+  parameter PLLOUT_SELECT_PORTA = "GENCLK",
+  parameter PLLOUT_SELECT_PORTB = "GENCLK",
+  parameter [3:0] DIVR = 4'd0,
+  parameter [6:0] DIVF = 7'd0,
+  parameter [2:0] DIVQ = 3'd0,
+  parameter [2:0] FILTER_RANGE = 3'd0
+) (
+  input  REFERENCECLK,
+  input  BYPASS,
+  input  RESETB,
+  output PLLOUTGLOBALA,
+  output PLLOUTGLOBALB,
+  output LOCK
+);
+  SB_PLL40_2F_PAD u_pll (
+    .PACKAGEPIN   (REFERENCECLK),
+    .BYPASS       (BYPASS),
+    .RESETB       (RESETB),
+    .PLLOUTGLOBALA(PLLOUTGLOBALA),
+    .PLLOUTGLOBALB(PLLOUTGLOBALB),
+    .LOCK         (LOCK)
+  );
+endmodule

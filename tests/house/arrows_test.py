@@ -19,7 +19,7 @@ ROOMS = {"ref": ".hpp scene+builtin geometry raster objects motion",
          "model": "formats texture shade motion objects pipeline package drivers",
          "vectors": "frames .hpp+.cpp",
          "study": "proofs bounds stability trade fit papers",
-         "cli": ".hpp common plots motion sweep+repro+inspect .cpp",
+         "cli": ".hpp common parts plots motion sweep+repro+inspect .cpp",
          "rtl": "common memory setup raster ztest shade texture motion objects pipeline system board"}
 # Where units are put together: elsewhere none includes another or has it as an instance.
 COMPOSE = ("pipeline", "system", "board", "top")
