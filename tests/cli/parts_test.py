@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """`halfspace config --parts`: what it knows of circuits is what docs/area.md has, its blocks are those of the table of
-memories there, and its verdicts follow from both. Usage: parts_test.py HALFSPACE SOURCE CONFIGS"""
+memories there, and its verdicts follow from both. `halfspace fit --part` asks for less until the memories have room.
+Usage: parts_test.py HALFSPACE SOURCE CONFIGS"""
 import json
 import pathlib
 import re
@@ -15,8 +16,8 @@ AREA = (SOURCE / "docs/area.md").read_text()
 NAMED = ("low", "middle", "high")
 
 
-def run(*options):
-    done = subprocess.run([HALFSPACE, "config", *map(str, options)], capture_output=True, text=True)
+def run(*options, command="config"):
+    done = subprocess.run([HALFSPACE, command, *map(str, options)], capture_output=True, text=True)
     return done.returncode, done.stdout, done.stderr
 
 
@@ -73,7 +74,24 @@ class Parts(unittest.TestCase):
         self.assertEqual((code, said), (0, ""))
         self.assertRegex(out, r"up5k .*inside\?")
 
+    def test_fit_asks_for_less_until_the_part_holds_it(self):
+        with tempfile.TemporaryDirectory() as folder:
+            out = pathlib.Path(folder) / "part.toml"
+            ends = [run("two_tone", "--size", size, "--psnr", psnr, "--part", part, "--area", "none", "--no-cosim",
+                        "--work", folder, "-o", out, command="fit")
+                    for size, psnr, part in (("160x120", 30, "up5k"), ("320x240", 20, "hx8k"))]
+            self.assertEqual(ends[0][0], 0, ends[0][2])
+            self.assertIn("up5k at 30 dB: holds the memories", ends[0][1])
+            self.assertIn('architecture = "delta"', out.read_text())
+            # A bit of index a pixel and two banks are more than the 32 blocks of 4 kbit.
+            self.assertNotEqual(ends[1][0], 0)
+            self.assertIn("hx8k at 15 dB: no: ", ends[1][1])
+            self.assertIn("fits hx8k: take a smaller --size", ends[1][2])
+
     def test_refusals(self):
+        code, _, said = run("cube", "--part", "none", command="fit")
+        self.assertNotEqual(code, 0)
+        self.assertIn("there is no part none: use one of up5k, hx8k", said)
         code, _, said = run("--parts", "--area", "virtex")
         self.assertNotEqual(code, 0)
         self.assertIn("there is no target 'virtex'", said)
