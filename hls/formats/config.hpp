@@ -46,6 +46,7 @@ constexpr bool has_depth(const Config& c) { return c.depth_bits != 0; }
 constexpr bool stores_depth(const Config& c) { return has_depth(c) && c.architecture == Architecture::kDelta; }
 constexpr bool tests_planes(const Config& c) { return c.architecture == Architecture::kGamma; }
 constexpr bool is_gouraud(const Config& c) { return c.shading == Shading::kGouraud; }
+constexpr bool is_flat(const Config& c) { return c.shading == Shading::kFlat; }
 constexpr bool is_phong(const Config& c) { return c.shading == Shading::kPhong; }
 // Whether a triangle has planes of what it is shaded with.
 constexpr bool shades_planes(const Config& c) { return is_gouraud(c) || is_phong(c); }

@@ -8,7 +8,7 @@ module hs_double_buffer #(
   parameter int unsigned Width = 32,
   parameter int unsigned Depth = 1024,
   parameter int unsigned Lanes = 1,
-  localparam int unsigned AddressBits = $clog2(Depth)
+  localparam int unsigned AddressBits = Depth > 1 ? $clog2(Depth) : 1
 ) (
   input  logic                   clk_i,
   input  logic                   rst_ni,

@@ -23,7 +23,8 @@ module hs_film_scan #(
   localparam int unsigned BlocksX = (MaxWidth + 7) / 8 * (8 / KeySide),
   localparam int unsigned BlocksY = (MaxHeight + 7) / 8 * (8 / KeySide),
   localparam int unsigned KeyAddressBits = $clog2(BlocksX * BlocksY),
-  localparam int unsigned FilmAddressBits = $clog2(MaxWidth * MaxHeight)
+  localparam int unsigned FilmAddressBits =
+      MaxWidth * MaxHeight > 1 ? $clog2(MaxWidth * MaxHeight) : 1
 ) (
   input  logic                       clk_i,
   input  logic                       rst_ni,
@@ -93,7 +94,7 @@ module hs_film_scan #(
       if (row_end) begin
         y_q <= y_q + YBits'(1);
         film_row_q <= film_row_q + FilmAddressBits'(MaxWidth);
-        if (&y_q[SideBits-1:0]) key_row_q <= key_row_q + KeyAddressBits'(BlocksX);
+        if (SideBits'(y_q) == '1) key_row_q <= key_row_q + KeyAddressBits'(BlocksX);
       end
     end
   end
@@ -113,7 +114,7 @@ module hs_film_scan #(
   always_ff @(posedge clk_i) begin
     if (step) begin
       head_q <= {frame_end, x_q, y_q};
-      lane_q <= {y_q[SideBits-1:0], x_q[SideBits-1:0]};
+      lane_q <= {SideBits'(y_q), SideBits'(x_q)};
     end
   end
 

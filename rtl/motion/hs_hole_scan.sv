@@ -19,7 +19,7 @@ module hs_hole_scan #(
   localparam int unsigned ScanBits = HeadBits + Lanes * IndexBits,
   localparam int unsigned StampsX = (hs_formats_pkg::MaxWidth + LanesX - 1) / LanesX,
   localparam int unsigned StampsY = (hs_formats_pkg::MaxHeight + LanesY - 1) / LanesY,
-  localparam int unsigned AddressBits = $clog2(StampsX * StampsY)
+  localparam int unsigned AddressBits = StampsX * StampsY > 1 ? $clog2(StampsX * StampsY) : 1
 ) (
   input  logic                   clk_i,
   input  logic                   rst_ni,

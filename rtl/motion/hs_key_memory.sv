@@ -127,7 +127,7 @@ module hs_key_memory #(
     logic [YBits:0] y;
 
     assign write_en[bank] = write_en_i
-                            && {write_y_i[SideBits-1:0], write_x_i[SideBits-1:0]}
+                            && {SideBits'(write_y_i), SideBits'(write_x_i)}
                                == (2 * SideBits)'(bank);
     assign x = (XBits + 1)'(x_q) + (XBits + 1)'({column_q, SideBits'(bank % KeySide)});
     assign y = (YBits + 1)'(y_q) + (YBits + 1)'({row_q, SideBits'(bank / KeySide)});

@@ -74,7 +74,7 @@ module hs_motion_order #(
     in_last_q <= last;
     in_stores_q <= entry[EntryBits-1 -: FaceBits] != '0;
     in_tile_q <= TileBits'(tile_y) * TileBits'(TilesX) + TileBits'(tile_x);
-    in_pixel_q <= {y[2:0], x[2:0]};
+    in_pixel_q <= {3'(y), 3'(x)};
     in_entry_q <= entry;
   end
 

@@ -25,7 +25,7 @@ module hs_back #(
   localparam int unsigned ColourBits = hs_formats_pkg::ColourBits,
   localparam int unsigned StampsX = (hs_formats_pkg::MaxWidth + LanesX - 1) / LanesX,
   localparam int unsigned StampsY = (hs_formats_pkg::MaxHeight + LanesY - 1) / LanesY,
-  localparam int unsigned AddressBits = $clog2(StampsX * StampsY),
+  localparam int unsigned AddressBits = StampsX * StampsY > 1 ? $clog2(StampsX * StampsY) : 1,
   localparam int unsigned DepthsBits = hs_formats_pkg::HasDepth != 0 ? Lanes * DepthBits : 1,
   localparam int unsigned HeadBits = 1 + hs_formats_pkg::XBits + hs_formats_pkg::YBits,
   localparam int unsigned ScanBits = HeadBits + Lanes * IndexBits,

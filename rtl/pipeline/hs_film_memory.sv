@@ -22,7 +22,7 @@ module hs_film_memory #(
   localparam int unsigned MaxHeight = hs_formats_pkg::MaxHeight,
   localparam int unsigned StampsX = (MaxWidth + LanesX - 1) / LanesX,
   localparam int unsigned StampsY = (MaxHeight + LanesY - 1) / LanesY,
-  localparam int unsigned MarkBits = $clog2(StampsX * StampsY),
+  localparam int unsigned MarkBits = StampsX * StampsY > 1 ? $clog2(StampsX * StampsY) : 1,
   localparam int unsigned TilesX = (MaxWidth + 7) / 8,
   localparam int unsigned TilesY = (MaxHeight + 7) / 8,
   localparam int unsigned MotionAddressBits = (TilesX * TilesY > 1 ? $clog2(TilesX * TilesY) : 1)
@@ -32,7 +32,8 @@ module hs_film_memory #(
   localparam int unsigned BlockBits = KeySide * KeySide * PixelBits,
   localparam int unsigned KeyAddressBits = $clog2(TilesX * TilesY * (8 / KeySide)
                                                   * (8 / KeySide)),
-  localparam int unsigned FilmAddressBits = $clog2(MaxWidth * MaxHeight),
+  localparam int unsigned FilmAddressBits =
+      MaxWidth * MaxHeight > 1 ? $clog2(MaxWidth * MaxHeight) : 1,
   localparam int unsigned RequestBits = TileXBits + TileYBits,
   localparam int unsigned ShownBits = hs_formats_pkg::ShownPixelWordBits,
   localparam int unsigned BetweenBits = 3 + hs_formats_pkg::XBits + hs_formats_pkg::YBits

@@ -98,13 +98,14 @@ module hs_up_convert #(
   localparam int unsigned MaxHeight = hs_formats_pkg::MaxHeight;
   localparam int unsigned StampsX = (MaxWidth + LanesX - 1) / LanesX;
   localparam int unsigned StampsY = (MaxHeight + LanesY - 1) / LanesY;
-  localparam int unsigned AddressBits = $clog2(StampsX * StampsY);
+  localparam int unsigned AddressBits = StampsX * StampsY > 1 ? $clog2(StampsX * StampsY) : 1;
   localparam int unsigned Tiles = (MaxWidth + 7) / 8 * ((MaxHeight + 7) / 8);
   localparam int unsigned MotionAddressBits = (Tiles > 1 ? $clog2(Tiles) : 1) + 6;
   localparam int unsigned EntryBits = MotionBits - 1 - hs_formats_pkg::XBits
                                       - hs_formats_pkg::YBits;
   localparam int unsigned KeyAddressBits = $clog2(Tiles * (8 / KeySide) * (8 / KeySide));
-  localparam int unsigned FilmAddressBits = $clog2(MaxWidth * MaxHeight);
+  localparam int unsigned FilmAddressBits =
+      MaxWidth * MaxHeight > 1 ? $clog2(MaxWidth * MaxHeight) : 1;
   localparam int unsigned RequestBits = TileXBits + TileYBits;
   localparam int unsigned BlockBits = KeySide * KeySide * (3 * ColourBits + FaceBits);
   localparam int unsigned DepthsBits = hs_formats_pkg::HasDepth != 0 ? Lanes * DepthBits : 1;

@@ -31,8 +31,8 @@ module hs_raster_clip #(
   assign rows = ((frame_height_i - YBits'(1)) & YBits'(LanesY - 1)) + YBits'(1);
 
   for (genvar lane = 0; lane < Lanes; lane++) begin : gen_lane
-    assign column_d[lane] = columns > XBits'(lane % LanesX);
-    assign row_d[lane] = rows > YBits'(lane / LanesX);
+    assign column_d[lane] = 32'(columns) > lane % LanesX;
+    assign row_d[lane] = 32'(rows) > lane / LanesX;
     assign inside_o[lane] = (x_i != x_last_q || column_q[lane]) && (y_i != y_last_q || row_q[lane]);
   end
 

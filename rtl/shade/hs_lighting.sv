@@ -233,6 +233,8 @@ module hs_lighting #(
     assign factors[(Ways-1)*CosineBits +: CosineBits] =
         diffuse_q[(2*Squarings-1)*CosineBits +: CosineBits];
   end else begin : gen_no_power
+    logic unused_gloss;
+    assign unused_gloss = ^material_i[MaterialWordBits-1:CoefficientsBits];
     assign factors = cosines;
   end
 

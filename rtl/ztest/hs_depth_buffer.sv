@@ -7,7 +7,7 @@ module hs_depth_buffer #(
   parameter int unsigned Depth = 1024,
   localparam int unsigned HasDepth = hs_formats_pkg::HasDepth,
   localparam int unsigned DepthsBits = HasDepth != 0 ? Lanes * hs_formats_pkg::DepthBits : 1,
-  localparam int unsigned AddressBits = $clog2(Depth)
+  localparam int unsigned AddressBits = Depth > 1 ? $clog2(Depth) : 1
 ) (
   input  logic                   clk_i,
   input  logic                   rst_ni,

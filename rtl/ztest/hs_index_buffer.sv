@@ -5,7 +5,7 @@ module hs_index_buffer #(
   parameter int unsigned Lanes = 4,
   parameter int unsigned Depth = 1024,
   localparam int unsigned IndexBits = hs_formats_pkg::IndexBits,
-  localparam int unsigned AddressBits = $clog2(Depth)
+  localparam int unsigned AddressBits = Depth > 1 ? $clog2(Depth) : 1
 ) (
   input  logic                       clk_i,
   input  logic                       rst_ni,

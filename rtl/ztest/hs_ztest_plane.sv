@@ -34,7 +34,7 @@ module hs_ztest_plane #(
   localparam int unsigned UpdateBits = IndexBits + XBits + YBits + Lanes,
   localparam int unsigned StampsX = (hs_formats_pkg::MaxWidth + LanesX - 1) / LanesX,
   localparam int unsigned StampsY = (hs_formats_pkg::MaxHeight + LanesY - 1) / LanesY,
-  localparam int unsigned AddressBits = $clog2(StampsX * StampsY)
+  localparam int unsigned AddressBits = StampsX * StampsY > 1 ? $clog2(StampsX * StampsY) : 1
 ) (
   input  logic                         clk_i,
   input  logic                         rst_ni,

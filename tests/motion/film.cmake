@@ -5,6 +5,8 @@ halfspace_units_film(film_tiny 1 ${film_units} motion_compensate motion_field)
 halfspace_units_film(film_textured 16 pixel_store hole_scan film_scan)
 halfspace_cosim(up_convert_film_tiny_1 up_convert film_tiny 1 film SEEDS 3)
 halfspace_cosim(up_convert_film_middle_4 up_convert film_middle 4 film)
+# Flat, and relit.
+halfspace_cosim(up_convert_film_flat_8 up_convert film_flat 8 film)
 halfspace_cosim(netlist_film_tiny_4 up_convert film_tiny 4 film NETLIST)
 halfspace_lint(lint_film UNITS ${film_units} CONFIGS film_tiny film_phong)
 halfspace_faults(faults_film film film_tiny WORDS film_words.py UNITS ${film_units})

@@ -43,7 +43,8 @@ HS_FORMAT(kBase, shift, Shift, has_planes, "floor(log2 D), 0 … 2c − 1")
 HS_FORMAT(kBase, depth, Depth, has_depth, "b of depth")
 HS_CHANNEL(kBase, depth, Depth, depth, Depth, has_depth, depth_channel_bits(c), c.depth_fraction)
 HS_FORMAT(kBase, colour, Colour, always, "b of a channel")
-HS_CHANNEL(kBase, colour, Colour, colour, Colour, is_gouraud, c.colour_bits, c.colour_fraction)
+// Flat: the colour itself, though a relit film has fraction bits for its differences.
+HS_CHANNEL(kBase, colour, Colour, colour, Colour, is_gouraud, c.colour_bits, is_flat(c) ? 0 : c.colour_fraction)
 
 HS_FORMAT(kLighting, material, MaterialNumber, has_lighting, "0 … materials − 1")
 HS_FORMAT(kLighting, light, LightNumber, has_lighting, "0 … lights − 1")
