@@ -9,6 +9,8 @@ module hs_frame_memory #(
   parameter int unsigned LanesX,
   parameter int unsigned LanesY,
   parameter int unsigned MemoryBits,
+  parameter int unsigned SlotsX,
+  parameter int unsigned SlotsY,
   localparam int unsigned Lanes = LanesX * LanesY,
   localparam int unsigned HasDepth = hs_formats_pkg::HasDepth,
   localparam int unsigned IndexBits = hs_formats_pkg::IndexBits,
@@ -77,7 +79,9 @@ logic [2:0] read_valid, read_ready, data_valid;
   hs_tile_cache #(
     .LanesX    (LanesX),
     .LanesY    (LanesY),
-    .MemoryBits(MemoryBits)
+    .MemoryBits(MemoryBits),
+    .SlotsX    (SlotsX),
+    .SlotsY    (SlotsY)
   ) u_tile_cache (
     .clk_i                (clk_i),
     .rst_ni               (rst_ni),

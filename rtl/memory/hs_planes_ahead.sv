@@ -19,7 +19,7 @@ module hs_planes_ahead #(
   parameter int unsigned MemoryBits,
   parameter int unsigned EachPixel,
   parameter int unsigned CacheBits = 7,        // of the number of its entries
-  parameter int unsigned StampFifoDepth = 64,
+  parameter int unsigned StampFifoDepth = 128,
   parameter int unsigned EntriesAhead = 16,    // asked for and not delivered
   localparam int unsigned Lanes = LanesX * LanesY,
   localparam int unsigned XBits = hs_formats_pkg::XBits,

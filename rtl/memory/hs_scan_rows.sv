@@ -15,7 +15,7 @@ module hs_scan_rows #(
   parameter int unsigned LanesX,
   parameter int unsigned LanesY,
   parameter int unsigned MemoryBits,
-  parameter int unsigned TilesAhead = 16,  // asked for at a time
+  parameter int unsigned TilesAhead = 4,  // asked for at a time
   localparam int unsigned Lanes = LanesX * LanesY,
   localparam int unsigned IndexBits = hs_formats_pkg::IndexBits,
   localparam int unsigned XBits = hs_formats_pkg::XBits,

@@ -81,7 +81,7 @@ module hs_tile_behind #(
 
   always_ff @(posedge clk_i) begin
     if (evict_i) tile_q[in_q] <= evict_tile_i;
-    if (swapped_i) clean_q[swap_q] <= clean_i;
+    if (swapped_i && swapped_tile_i) clean_q[swap_q] <= clean_i;
   end
 
   assign index_done_o = index_done_q;

@@ -26,11 +26,11 @@ module hs_tile_cache #(
   parameter int unsigned LanesX,
   parameter int unsigned LanesY,
   parameter int unsigned MemoryBits,
-  parameter int unsigned SlotsX = 16,  // powers of two
-  parameter int unsigned SlotsY = 16,
-  parameter int unsigned QueueDepth = 32,
+  parameter int unsigned SlotsX,  // powers of two
+  parameter int unsigned SlotsY,
+  parameter int unsigned QueueDepth = 64,
   parameter int unsigned TilesAhead = 8,   // asked for and not in a slot
-  parameter int unsigned TilesBehind = 8,  // replaced and not in memory, a power of two
+  parameter int unsigned TilesBehind = 16,  // replaced and not in memory, a power of two
   localparam int unsigned Lanes = LanesX * LanesY,
   localparam int unsigned HasDepth = hs_formats_pkg::HasDepth,
   localparam int unsigned XBits = hs_formats_pkg::XBits,
@@ -166,13 +166,20 @@ module hs_tile_cache #(
   logic read_valid_q, test_valid_q, write_valid_q, busy, last_q;
   logic [PlaceBits-1:0] place, read_place_q, test_place_q, write_place_q;
   logic [NumberBits-1:0] number;
+  logic [TileXBits-1:0] tile_x;
+  logic [TileYBits-1:0] tile_y;
   logic [SlotBits-1:0] slot;
   logic [3:0] stored_q [Slots];  // rows that memory had when the slot changed hands
   logic read_new_q, test_new_q, write_new_q;  // the stamp covers of a row that it had not
 
   assign number = (NumberBits'(queued_head.y) << ShiftX)
                   | (NumberBits'(queued_head.x) & NumberBits'((1 << ShiftX) - 1));
-  assign slot = {SlotYBits'(queued_head.y >> ShiftY), SlotXBits'(queued_head.x >> ShiftX)};
+  assign tile_x = TileXBits'(queued_head.x >> ShiftX);
+  assign tile_y = TileYBits'(queued_head.y >> ShiftY);
+  // A block of tiles has slots of its own, and other blocks have them in another order: what is
+  // high or wide does not meet itself.
+  assign slot = {SlotYBits'(tile_y) ^ SlotYBits'(tile_x >> SlotXBits),
+                 SlotXBits'(tile_x) ^ SlotXBits'(tile_y >> SlotYBits)};
   assign place = {slot, 2'(number >> (NumberBits - 2)),
                   SelectBits'(number) & SelectBits'(RowStamps - 1)};
   assign stamp_valid_o = queued_valid && (!queued_change || changed_q);

@@ -80,6 +80,8 @@ module hs_tile_look #(
   logic [StampBits-1:0] looked_q;
   hs_formats_pkg::stamp_head_t stamp_head, looked_head;
   logic [TileBits-1:0] stamp_tile, looked_tile, old_tile;
+  logic [TileXBits-1:0] tile_x;
+  logic [TileYBits-1:0] tile_y;
   logic [SlotBits-1:0] looked_slot, tag_slot;
   logic [NumberBits-1:0] number;
   logic [TileBits-1:0] tags_q [Slots];
@@ -92,7 +94,10 @@ module hs_tile_look #(
   assign looked_head = looked_q[StampBits-1-:HeadBits];
   assign stamp_tile = {TileYBits'(stamp_head.y >> ShiftY), TileXBits'(stamp_head.x >> ShiftX)};
   assign looked_tile = {TileYBits'(looked_head.y >> ShiftY), TileXBits'(looked_head.x >> ShiftX)};
-  assign looked_slot = {looked_tile[TileXBits +: SlotYBits], looked_tile[0 +: SlotXBits]};
+  assign {tile_y, tile_x} = looked_tile;
+  // As hs_tile_cache has it.
+  assign looked_slot = {SlotYBits'(tile_y) ^ SlotYBits'(tile_x >> SlotXBits),
+                        SlotXBits'(tile_x) ^ SlotXBits'(tile_y >> SlotYBits)};
 
   assign number = (NumberBits'(looked_head.y) << ShiftX)
                   | (NumberBits'(looked_head.x) & NumberBits'((1 << ShiftX) - 1));

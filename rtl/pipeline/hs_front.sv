@@ -29,6 +29,8 @@ module hs_front #(
   parameter int unsigned DeferFifoDepth,
   parameter int unsigned OutsideFrame = 0,
   parameter int unsigned MemoryBits = 64,
+  parameter int unsigned CacheTilesX = 16,
+  parameter int unsigned CacheTilesY = 16,
   // Of hs_frame_memory.
   localparam int unsigned MemoryOutBits =
       OutsideFrame != 0 ? 5 * (1 + hs_memory_pkg::RequestBits) + 2 * (1 + MemoryBits) : 1,
@@ -257,7 +259,9 @@ module hs_front #(
     .StampFifoDepth        (StampFifoDepth),
     .TriangleDepthFifoDepth(TriangleDepthFifoDepth),
     .OutsideFrame          (OutsideFrame),
-    .MemoryBits            (MemoryBits)
+    .MemoryBits            (MemoryBits),
+    .CacheTilesX           (CacheTilesX),
+    .CacheTilesY           (CacheTilesY)
   ) u_ztest (
     .clk_i                 (clk_i),
     .rst_ni                (rst_ni),

@@ -33,7 +33,8 @@
 // Between two units a stream passes an hs_stream, which names it.
 //
 // OutsideFrame: the I-buffer and the Z-buffer are in memory outside; OutsidePlanes: TdbS is. They
-// change no word of a stream. What memory sees is in hs_memory_pkg; its words have MemoryBits.
+// change no word of a stream. What memory sees is in hs_memory_pkg; its words have MemoryBits. Of
+// the frame CacheTilesX × CacheTilesY tiles of 8×8 pixels are here, both powers of two.
 // With both 0 its ports are one bit each, 0 and not looked at.
 module hs_pipeline #(
   parameter int unsigned LanesX = 2,
@@ -47,6 +48,8 @@ module hs_pipeline #(
   parameter int unsigned OutsideFrame = 0,
   parameter int unsigned OutsidePlanes = 0,
   parameter int unsigned MemoryBits = 64,
+  parameter int unsigned CacheTilesX = 16,
+  parameter int unsigned CacheTilesY = 16,
   localparam int unsigned Outside = OutsideFrame + OutsidePlanes,
   localparam int unsigned Reads = Outside != 0 ? hs_memory_pkg::Reads : 1,
   localparam int unsigned Writes = Outside != 0 ? hs_memory_pkg::Writes : 1,
@@ -215,7 +218,9 @@ module hs_pipeline #(
     .TriangleDepthFifoDepth(TriangleDepthFifoDepth),
     .DeferFifoDepth        (DeferFifoDepth),
     .OutsideFrame          (OutsideFrame),
-    .MemoryBits            (MemoryBits)
+    .MemoryBits            (MemoryBits),
+    .CacheTilesX           (CacheTilesX),
+    .CacheTilesY           (CacheTilesY)
   ) u_front (
     .clk_i             (clk_i),
     .rst_ni            (rst_ni),

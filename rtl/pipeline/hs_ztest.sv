@@ -21,6 +21,8 @@ module hs_ztest #(
   parameter int unsigned TriangleDepthFifoDepth,
   parameter int unsigned OutsideFrame,
   parameter int unsigned MemoryBits,
+  parameter int unsigned CacheTilesX,
+  parameter int unsigned CacheTilesY,
   // Of hs_frame_memory.
   localparam int unsigned MemoryOutBits =
       OutsideFrame != 0 ? 5 * (1 + hs_memory_pkg::RequestBits) + 2 * (1 + MemoryBits) : 1,
@@ -326,7 +328,9 @@ module hs_ztest #(
     hs_frame_memory #(
       .LanesX    (LanesX),
       .LanesY    (LanesY),
-      .MemoryBits(MemoryBits)
+      .MemoryBits(MemoryBits),
+      .SlotsX    (CacheTilesX),
+      .SlotsY    (CacheTilesY)
     ) u_frame_memory (
       .clk_i         (clk_i),
       .rst_ni        (rst_ni),

@@ -14,6 +14,7 @@ const char* const kReads[] = {"index read", "depth read", "scan read", "planes r
 const char* const kWrites[] = {"index write", "depth write", "planes write"};
 constexpr int kReadBuffer[] = {1, 2, 1, 3}, kWriteBuffer[] = {1, 2, 3};
 constexpr std::uint64_t kPage = 4096;
+constexpr std::uint64_t kPhase = 3000;  // cycles
 
 std::uint32_t field(const Port& port, int lsb, int bits) {
   std::uint32_t value = 0;
@@ -51,12 +52,6 @@ Clients::Clients(Model* model, std::uint64_t seed, int latency)
       writes_(write_valid_.bits),
       asked_(std::size_t(reads_)),
       written_back_(std::size_t(writes_)) {
-  if (latency_ < 0) {
-    const int waits[] = {0, 25, 60}, longest[] = {1, 40, 200};
-    wait_percent_ = waits[random_.next() % 3];
-    longest_ = longest[random_.next() % 3];
-    early_reads_ = random_.next() % 2 != 0;
-  }
   std::uint32_t* const bases = static_cast<std::uint32_t*>(model->need("memory_bases_i", 96).data);
   for (int n = 0; n < 3; ++n) bases[2 - n] = std::uint32_t(n + 1) << 30 | (random_.next() % 256) * kPage;
   for (int n = 0; n < reads_; ++n) counts_.push_back({kReads[n]});
@@ -86,6 +81,7 @@ Clients::Request Clients::request_of(const Port& port, int client, bool writes) 
   request.beats = int(field(port, client * kRequestBits, kBeatsBits));
   request.due = now_ + latency();
   request.order = order_++;
+  request.early = latency_ < 0 && random_.next() % 2 != 0;
   const std::string name = writes ? kWrites[client] : kReads[client];
   const std::uint64_t bytes = std::uint64_t(request.beats * word_bits_ / 8);
   if (request.beats == 0) note(name + " of no word");
@@ -121,6 +117,12 @@ void Clients::write(const Request& request) {
 }
 
 void Clients::drive() {
+  if (latency_ < 0 && now_ % kPhase == 0) {
+    const int waits[] = {0, 25, 60}, longest[] = {1, 40, 200};
+    wait_percent_ = waits[random_.next() % 3];
+    longest_ = longest[random_.next() % 3];
+    most_ = waits[random_.next() % 3] / 8 + 1;
+  }
   ++now_;
   const int client = pick_read();
   *data_valid_.bit() = client < 0 ? 0 : std::uint8_t(1 << client);
@@ -130,8 +132,8 @@ void Clients::drive() {
   if (client >= 0) {
     auto& queue = asked_[std::size_t(client)];
     Request& request = queue.front();
-    const Word word = early_reads_ ? request.words[std::size_t(request.done)]
-                                   : word_at(request.address + std::uint64_t(request.done * word_bits_ / 8));
+    const Word word = request.early ? request.words[std::size_t(request.done)]
+                                    : word_at(request.address + std::uint64_t(request.done * word_bits_ / 8));
     copy_bits(data, client * word_bits_, word.data(), 0, word_bits_);
     if (++request.done == request.beats) queue.pop_front();
     else current_ = client;
@@ -140,14 +142,18 @@ void Clients::drive() {
   for (int n = 0; n < reads_; ++n) ready = std::uint8_t(ready | !waits() << n);
   *read_ready_.bit() = ready;
   ready = 0;
-  for (int n = 0; n < writes_; ++n) ready = std::uint8_t(ready | !waits() << n);
+  for (int n = 0; n < writes_; ++n) {
+    std::size_t under_way = written_back_[std::size_t(n)].size();
+    for (const Request& request : granted_) under_way += request.client == n;
+    ready = std::uint8_t(ready | (int(under_way) < most_ && !waits()) << n);
+  }
   *write_ready_.bit() = ready;
   *store_ready_.bit() = granted_.empty() || waits() ? 0 : std::uint8_t(1 << granted_.front().client);
   std::uint8_t written = 0;
   for (int n = 0; n < writes_; ++n) {
     auto& queue = written_back_[std::size_t(n)];
     if (queue.empty() || queue.front().due > now_) continue;
-    if (early_reads_) write(queue.front());
+    if (!queue.front().early) write(queue.front());
     queue.pop_front();
     written = std::uint8_t(written | 1 << n);
   }
@@ -167,7 +173,7 @@ void Clients::sample() {
       request.words.push_back(word);
       if (int(request.words.size()) == request.beats) {
         request.due = now_ + latency();
-        if (!early_reads_) write(request);
+        if (request.early) write(request);
         auto& queue = written_back_[std::size_t(request.client)];
         if (!queue.empty()) request.due = std::max(request.due, queue.back().due + 1);
         queue.push_back(request);
@@ -178,7 +184,7 @@ void Clients::sample() {
   for (int n = 0; n < reads_; ++n) {
     if (!bit(read_valid_, n) || !bit(read_ready_, n)) continue;
     Request request = request_of(read_, n, false);
-    if (early_reads_) {
+    if (request.early) {
       for (int beat = 0; beat < request.beats; ++beat) {
         request.words.push_back(word_at(request.address + std::uint64_t(beat * word_bits_ / 8)));
       }

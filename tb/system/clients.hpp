@@ -2,8 +2,8 @@
 // The memory outside of hs_pipeline: it serves the clients of hs_memory_pkg.
 //
 // With a latency it is a port that gives a word a cycle and takes one, in the order of the requests. Without, it is as
-// unpleasant as the contract allows: random latencies, waits and order of clients, reads that are done as they are
-// asked for and writes as late as can be, or the other way around. What nobody wrote is noise.
+// unpleasant as the contract allows: random latencies, waits and order of clients, in phases, and each read and each
+// write is done as early or as late as can be. What nobody wrote is noise.
 #ifndef HALFSPACE_TB_SYSTEM_CLIENTS_HPP_
 #define HALFSPACE_TB_SYSTEM_CLIENTS_HPP_
 
@@ -44,6 +44,7 @@ class Clients : public Partner {
     int client = 0;
     std::uint64_t address = 0, due = 0, order = 0;
     int beats = 0, done = 0;
+    bool early = false;  // a read, as it is asked for; a write, as its words come
     std::vector<Word> words;
   };
   Request request_of(const Port& port, int client, bool writes);
@@ -58,8 +59,7 @@ class Clients : public Partner {
   const Port &read_valid_, &read_ready_, &read_, &data_valid_, &data_;
   const Port &write_valid_, &write_ready_, &write_, &store_valid_, &store_ready_, &store_, &written_;
   Random random_;
-  int latency_, word_bits_, reads_, writes_, wait_percent_ = 0, longest_ = 0, current_ = -1;
-  bool early_reads_ = false;
+  int latency_, word_bits_, reads_, writes_, wait_percent_ = 0, longest_ = 0, current_ = -1, most_ = 8;
   std::uint64_t now_ = 0, order_ = 0;
   std::vector<std::deque<Request>> asked_, written_back_;  // by client
   std::deque<Request> granted_;                            // writes whose words come, in order

@@ -5,7 +5,7 @@ foreach(lanes IN ITEMS 1 16)
                   PARAMETERS OutsideFrame=1 OutsidePlanes=1)
 endforeach()
 halfspace_cosim(outside_standard_middle_4 pipeline middle 4 standard SEEDS 10
-                PARAMETERS OutsideFrame=1 OutsidePlanes=1)
+                PARAMETERS OutsideFrame=1 OutsidePlanes=1 CacheTilesX=4 CacheTilesY=2)
 halfspace_cosim(outside_teapot_middle_4 pipeline middle 4 teapot STALL 0 SEEDS 2 VECTORS --no-corners
                 PARAMETERS OutsideFrame=1 OutsidePlanes=1)
 halfspace_cosim(outside_castle_high_2 pipeline high 2 castle STALL 0 VECTORS --no-corners --size 640x480
@@ -14,4 +14,4 @@ halfspace_cosim(outside_castle_high_2 pipeline high 2 castle STALL 0 VECTORS --n
 halfspace_cosim(outside_netlist_low_4 pipeline low 4 standard NETLIST
                 PARAMETERS OutsideFrame=1 OutsidePlanes=1)
 halfspace_faults(outside_faults outside low SCENE castle
-                 PARAMETERS OutsideFrame=1 OutsidePlanes=1 UNITS pipeline)
+                 PARAMETERS OutsideFrame=1 OutsidePlanes=1 CacheTilesX=4 CacheTilesY=4 UNITS pipeline)
