@@ -26,6 +26,7 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
+sys.dont_write_bytecode = True  # no __pycache__ between the sources
 import kernel_mutants  # noqa: E402
 
 ROOMS = "setup raster ztest shade texture motion objects".split()
@@ -34,13 +35,14 @@ OTHERS = ("formats/lanes.hpp", "formats/scan_pixels.hpp", "numbers/arithmetic.hp
 # Which programs look at a room, the quickest first.
 BASE = ["exhaustive_test", "frame_test", "bits:odd"]
 PROGRAMS = {
-    "setup": ["plane_test", "exhaustive_test", "cull_test", "bits:odd", "bits:phong_low", "bits:textured_low"],
+    "setup": ["plane_test", "exhaustive_test", "cull_test", "bits:odd", "bits:lit_low", "bits:phong_low",
+              "bits:textured_low"],
     "raster": BASE,
     "ztest": ["ztest_plane_test", "frame_test", "index_pool_test", "gamma_test", "bits:odd", "bits:pool"],
-    "shade": ["scan_index_test", "shaded_frame_test", "lighting_exact_test", "lighting_test", "phong_test",
-              "bits:phong_middle", "bits:lit_low", "bits:flat_only"],
+    "shade": ["scan_index_test", "shaded_frame_test", "lighting_exact_test", "bits:phong_middle", "bits:lit_low",
+              "bits:flat_only", "lighting_test", "phong_test"],
     "texture": ["scanned_frame_test", "texture_kernel_test", "bits:textured_low", "bits:textured_middle"],
-    "motion": ["film_frame_test", "film_units_test", "scanned_frame_test", "compensate_kernel_test",
+    "motion": ["key_cache_test", "film_frame_test", "film_units_test", "scanned_frame_test", "compensate_kernel_test",
                "motion_field_test", "bits:motion_cubic", "bits:film_tiny", "bits:film_textured"],
     "objects": ["whole_frame_test", "merge_test", "static_kernel_test", "bits:objects_low"],
     "formats": ["ztest_plane_test", "shaded_frame_test", "scanned_frame_test", "bits:odd", "bits:film_tiny"],
