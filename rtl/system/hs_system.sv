@@ -12,13 +12,15 @@
 // the frame: see hs_system_control. The video then begins again with a first beat of a frame; a
 // line that was under way has no end.
 // A byte of memory is at the byte's address, little endian. All is one clock.
-// OutsideFrame, OutsidePlanes: see hs_pipeline.
+// The other parameters are those of hs_pipeline.
 // Illegal: a configuration with motion or objects.
 module hs_system #(
   parameter int unsigned LanesX = 2,
   parameter int unsigned LanesY = 2,
   parameter int unsigned DataBits = 64,  // of the memory: 64 or 128
   parameter int unsigned IdBits = 4,
+  parameter int unsigned SetupCycles = hs_formats_pkg::SetupInterval,  // a triangle
+  parameter int unsigned BackgroundFifoDepth = 0,
   parameter int unsigned SetupFifoDepth = 512,
   parameter int unsigned DeferFifoDepth = 512,
   parameter int unsigned OutsideFrame = 0,
@@ -275,13 +277,15 @@ module hs_system #(
   assign write_moves = store_valid & store_ready;
 
   hs_system_core #(
-    .LanesX        (LanesX),
-    .LanesY        (LanesY),
-    .DataBits      (DataBits),
-    .SetupFifoDepth(SetupFifoDepth),
-    .DeferFifoDepth(DeferFifoDepth),
-    .OutsideFrame  (OutsideFrame),
-    .OutsidePlanes (OutsidePlanes)
+    .LanesX             (LanesX),
+    .LanesY             (LanesY),
+    .DataBits           (DataBits),
+    .SetupCycles        (SetupCycles),
+    .BackgroundFifoDepth(BackgroundFifoDepth),
+    .SetupFifoDepth     (SetupFifoDepth),
+    .DeferFifoDepth     (DeferFifoDepth),
+    .OutsideFrame       (OutsideFrame),
+    .OutsidePlanes      (OutsidePlanes)
   ) u_core (
     .clk_i          (clk_i),
     .rst_ni         (rst_ni),

@@ -12,6 +12,8 @@ module hs_system_core #(
   parameter int unsigned LanesX = 2,
   parameter int unsigned LanesY = 2,
   parameter int unsigned DataBits = 64,
+  parameter int unsigned SetupCycles = hs_formats_pkg::SetupInterval,  // a triangle
+  parameter int unsigned BackgroundFifoDepth = 0,
   parameter int unsigned SetupFifoDepth = 512,
   parameter int unsigned DeferFifoDepth = 512,
   parameter int unsigned OutsideFrame = 0,
@@ -214,13 +216,15 @@ module hs_system_core #(
   assign unused_others = ^{none_left, motion_valid, motion, entry_valid, entry};
 
   hs_pipeline #(
-    .LanesX        (LanesX),
-    .LanesY        (LanesY),
-    .SetupFifoDepth(SetupFifoDepth),
-    .DeferFifoDepth(DeferFifoDepth),
-    .OutsideFrame  (OutsideFrame),
-    .OutsidePlanes (OutsidePlanes),
-    .MemoryBits    (DataBits)
+    .LanesX             (LanesX),
+    .LanesY             (LanesY),
+    .SetupCycles        (SetupCycles),
+    .BackgroundFifoDepth(BackgroundFifoDepth),
+    .SetupFifoDepth     (SetupFifoDepth),
+    .DeferFifoDepth     (DeferFifoDepth),
+    .OutsideFrame       (OutsideFrame),
+    .OutsidePlanes      (OutsidePlanes),
+    .MemoryBits         (DataBits)
   ) u_pipeline (
     .clk_i                      (clk_i),
     .rst_ni                     (core_rst_ni),

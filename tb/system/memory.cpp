@@ -58,6 +58,10 @@ AxiMemory::AxiMemory(const Model& m, Bytes* bytes, const MemoryTiming& timing)
   for (const Port* port : {&arready_, &rvalid_, &awready_, &wready_, &bvalid_}) set_to(*port, 0);
 }
 
+std::uint8_t AxiMemory::byte_at(std::size_t at) {
+  return at < bytes_->size() ? (*bytes_)[at] : std::uint8_t(order_.next());
+}
+
 bool AxiMemory::open() { return !timing_.refresh || cycle_ % 1024 >= 32; }
 
 // With stalls any that is the first of its id, else the first.
@@ -78,10 +82,7 @@ void AxiMemory::offer_read() {
   if (burst.ready > cycle_) return;
   const std::size_t size = std::size_t(rdata_.bits / 8);
   std::uint8_t* const to = static_cast<std::uint8_t*>(rdata_.data);
-  for (std::size_t i = 0; i < size; ++i) {
-    const std::size_t at = burst.address + i;
-    to[i] = at < bytes_->size() ? (*bytes_)[at] : std::uint8_t(order_.next());
-  }
+  for (std::size_t i = 0; i < size; ++i) to[i] = is_early() ? burst.data[burst.read + i] : byte_at(burst.address + i);
   set_to(rvalid_, 1);
   set_to(rid_, burst.id);
   set_to(rlast_, burst.beats == 1);
@@ -143,6 +144,7 @@ void AxiMemory::sample() {
   if (read_moved_) {
     Burst& burst = reads_[reading_];
     burst.address += std::uint32_t(rdata_.bits / 8);
+    burst.read += std::size_t(rdata_.bits / 8);
     if (--burst.beats == 0) reads_.erase(reads_.begin() + std::ptrdiff_t(reading_));
   }
   answer_moved_ = is_set(bvalid_) && is_set(bready_);
@@ -152,6 +154,9 @@ void AxiMemory::sample() {
     burst.broken = ++read_bursts_ == broken_read_;
     const std::string wrong = check_burst("a read", burst.address, burst.beats, value_of(arsize_), value_of(arburst_));
     if (!wrong.empty()) fail(wrong);
+    for (std::size_t i = 0; i < std::size_t(burst.beats * rdata_.bits / 8) && is_early(); ++i) {
+      burst.data.push_back(byte_at(burst.address + i));
+    }
     reads_.push_back(burst);
   }
   if (write_data_.valid() && writes_.empty() && !write_address_.valid()) {

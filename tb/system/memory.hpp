@@ -34,8 +34,8 @@ struct MemoryTiming {
   std::uint64_t seed = 1;
 };
 
-// A word of data a cycle moves, read or written. What is written is in memory when it is answered, not before: a
-// read that overtakes it sees what was there.
+// A word of data a cycle moves, read or written. What is written is in memory when it is answered, not before. What is
+// read is there when its word goes out; with odd seeds when the address is taken.
 class AxiMemory : public Partner {
  public:
   AxiMemory(const Model& model, Bytes* bytes, const MemoryTiming& timing);
@@ -55,6 +55,7 @@ class AxiMemory : public Partner {
     std::uint32_t id = 0, address = 0, beats = 0;
     bool broken = false;
     std::uint64_t ready = 0;  // the cycle of its first word or its answer
+    std::size_t read = 0;     // bytes of `data`
     std::vector<std::uint8_t> data, strobes;
   };
 
@@ -63,6 +64,8 @@ class AxiMemory : public Partner {
   void offer_read();
   void offer_answer();
   bool open();
+  bool is_early() const { return timing_.seed % 2 == 1; }
+  std::uint8_t byte_at(std::size_t at);
   std::size_t oldest_of_an_id(const std::deque<Burst>& bursts);
 
   const Model& model_;
