@@ -14,6 +14,7 @@
 #include "cli/parts/parts.hpp"
 #include "model/formats/configuration.hpp"
 #include "model/formats/format_fields.hpp"
+#include "model/formats/random_configuration.hpp"
 #include "model/package/package.hpp"
 #include "vectors/staging.hpp"
 
@@ -76,7 +77,8 @@ void print_table(const std::vector<Configuration>& configurations, bool markdown
 struct ConfigOptions {
   std::vector<std::string> configurations = {"low", "middle", "high"};
   std::string header, toml, json, area = "none", work = "area_of_parts";
-  bool markdown = false, parts = false;
+  bool markdown = false, parts = false, is_small = false;
+  std::optional<std::uint64_t> random;
 };
 
 // What the pipeline takes with one lane, for each family that is asked for.
@@ -155,7 +157,11 @@ Json print_parts(const ConfigOptions& options, const std::vector<Configuration>&
 
 void config(const ConfigOptions& options) {
   std::vector<Configuration> configurations;
-  for (const std::string& name : options.configurations) configurations.push_back(model::find_configuration(name));
+  if (options.random) {
+    configurations.push_back(model::random_configuration(*options.random, options.is_small));
+  } else {
+    for (const std::string& name : options.configurations) configurations.push_back(model::find_configuration(name));
+  }
   if ((!options.header.empty() || !options.toml.empty()) && configurations.size() != 1) {
     throw CLI::ValidationError("--header and --toml", "are of one configuration: name it");
   }
@@ -177,11 +183,16 @@ void add_config(CLI::App& app, int&) {
       "  halfspace config middle                      the numbers, and every width that follows\n"
       "  halfspace config middle --toml mine.toml     a configuration to begin with\n"
       "  halfspace config low middle --parts          which FPGAs hold them\n"
+      "  halfspace config --random 7                  one that nobody named, accepted\n"
       "A configuration is a .toml file: every command takes its path in the place of a name. A combination that cannot "
       "be\nbuilt is refused with its reason.\n");
   command->add_option("CONFIG", options->configurations, "low, middle, high or .toml files")->capture_default_str();
   add_output_file(command, "--header", options->header, "C++ header to write, for hls/formats/configs/");
   add_output_file(command, "--toml", options->toml, "TOML file to write");
+  CLI::Option* random = command->add_option("--random", options->random, "the accepted one that this seed draws")
+                            ->excludes(command->get_option("CONFIG"));
+  command->add_flag("--small", options->is_small, "of --random: a frame and tables that seconds of simulation fill")
+      ->needs(random);
   command->add_flag("--markdown", options->markdown, "the table in Markdown");
   command->add_flag("--parts", options->parts,
                     "block RAMs, LUTs and multipliers of the pipeline, and which of ten FPGAs hold it, the memories of "
