@@ -3,13 +3,14 @@
 """A board simulated at its pins: each frame of video is a picture of the kernels, to the bit; the button goes to the
 next scene; a picture that differs in one pixel is found. With --whole: the file that the board loads is made, and the
 netlist after synthesis is simulated as well.
-Usage: board_test.py SOURCE HALFSPACE VERILATOR BOARD OUT [--whole]"""
+Usage: board_test.py SOURCE HALFSPACE VERILATOR BOARD OUT [CONFIG] [--whole]"""
 import pathlib
 import subprocess
 import sys
 import unittest
 
 SOURCE, HALFSPACE, VERILATOR, BOARD, OUT = sys.argv[1:6]
+CONFIG = pathlib.Path(sys.argv[6]).resolve() if len(sys.argv) > 6 and sys.argv[6] != "--whole" else None
 sys.path.insert(0, str(pathlib.Path(SOURCE).resolve() / "rtl" / "board"))
 import bitstream  # noqa: E402
 import flow  # noqa: E402
@@ -24,7 +25,8 @@ class Rtl(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.board = BOARDS[BOARD]
-        cls.job = bitstream.Job(cls.board, pathlib.Path(HALFSPACE).resolve(), SCENES, pathlib.Path(OUT).resolve())
+        cls.job = bitstream.Job(cls.board, pathlib.Path(HALFSPACE).resolve(), SCENES, pathlib.Path(OUT).resolve(),
+                                CONFIG)
         cls.program = simulate.build(cls.board, cls.job.package, cls.job.lists, cls.job.background, cls.job.out,
                                      verilator=VERILATOR)
 
@@ -54,7 +56,7 @@ class Rtl(unittest.TestCase):
         board = [path for path in flow.sources(self.board, self.job.package) if path != self.board.top]
         command = [VERILATOR, "--lint-only", "-Wall", "-Wno-UNUSEDPARAM", "--top-module", "hs_board",
                    *(f"-G{name}={value}" for name, value in given.items()),
-                   pathlib.Path(SOURCE) / "tb" / "lint.vlt", *board]
+                   pathlib.Path(SOURCE).resolve() / "tb" / "lint.vlt", *board]
         done = subprocess.run([str(word) for word in command], capture_output=True, text=True, cwd=self.job.out)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
 
