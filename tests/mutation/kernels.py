@@ -35,7 +35,7 @@ OTHERS = ("formats/lanes.hpp", "formats/scan_pixels.hpp", "numbers/arithmetic.hp
 # Which programs look at a room, the quickest first.
 BASE = ["exhaustive_test", "frame_test", "bits:odd"]
 PROGRAMS = {
-    "setup": ["plane_test", "exhaustive_test", "cull_test", "bits:odd", "bits:lit_low", "bits:phong_low",
+    "setup": ["plane_test", "exhaustive_test", "cull_test", "bits:odd", "bits:lit_matte", "bits:phong_low",
               "bits:textured_low"],
     "raster": BASE,
     "ztest": ["ztest_plane_test", "frame_test", "index_pool_test", "gamma_test", "bits:odd", "bits:pool"],
@@ -292,6 +292,15 @@ def all_mutants(files):
             for mutant in kernel_mutants.mutants(path.read_text(), path.stem == "arithmetic")]
 
 
+def labels_of(every):
+    """Of each mutant (file, what, new text), with a number where the same stands several times in a file."""
+    seen, labels = {}, []
+    for path, (_, what, new) in every:
+        seen[path, what, new] = times = seen.get((path, what, new), 0) + 1
+        labels.append((path.name, what, new if times == 1 else f"{new} #{times}"))
+    return labels
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build", help="a build folder (default: build)")
@@ -321,6 +330,8 @@ def main():
     count = min(args.count or len(every), len(every))
     some = sorted(random.Random(args.seed).sample(range(len(every)), count))
     chosen = {number: every[at] for number, at in enumerate(some, 1)}
+    labels = labels_of(every)
+    label = {number: labels[at] for number, at in enumerate(some, 1)}
     rooms = {path.parent.name for path, _ in chosen.values()}
     known = dict.fromkeys(program for room, some in PROGRAMS.items() if room in rooms for program in some)
     programs = args.programs or list(known)
@@ -341,8 +352,8 @@ def main():
         numbers = sorted(tree.chosen)
         results = pool.map(lambda number: judge(args, tree.chosen[number][0], number, programs), numbers)
         for number, (program, how) in zip(numbers, results):
-            path, (site, what, new) = tree.chosen[number]
-            reason = reasons.get((path.name, what, new), "")
+            path, (site, _, _) = tree.chosen[number]
+            reason, (_, what, new) = reasons.get(label[number], ""), label[number]
             found += bool(program)
             equivalent += not program and bool(reason)
             if program:
