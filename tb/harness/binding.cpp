@@ -4,6 +4,9 @@
 // value) a number of the package; title.inc says what the model is.
 #include <verilated.h>
 
+#include <cstdlib>
+#include <string>
+
 #include "Vmodel.h"
 #include "Vmodel___024root.h"
 #if __has_include("Vmodel_hs_mutant.h")
@@ -48,6 +51,11 @@ class Binding final : public Model {
     // Verilator takes the model out of the context that was made last, which may be gone.
     Verilated::threadContextp(&context_);
     top_->final();
+#ifdef VERILATOR_VERILATED_COV_H_
+    // tb/coverage.py: what was reached goes to a file for each model.
+    if (const char* const file = std::getenv("HALFSPACE_COVERAGE"))
+      context_.coveragep()->write((file + std::to_string(number()) + ".dat").c_str());
+#endif
 #ifdef HS_TRACED
     if (wave_) wave_->close();
 #endif
