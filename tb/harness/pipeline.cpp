@@ -180,6 +180,8 @@ Result run_pipeline(Model* model, const Vectors& vectors, const Options& options
   bench.reset();
   const std::vector<Turn> turns = turns_of(vectors, options.frames);
   bool ran = true;
+  std::vector<std::size_t> begins;  // the triangles before each frame
+  std::size_t sent = 0;
   for (std::size_t first = 0; first < turns.size() && ran;) {
     std::size_t end = first + 1;
     while (end < turns.size() && may_follow(vectors, turns[first].frame, turns[end].frame)) ++end;
@@ -188,6 +190,9 @@ Result run_pipeline(Model* model, const Vectors& vectors, const Options& options
     if (!loads.empty()) ran = bench.run([&] { return bench.all_done(); }, options.hang);
     bench.idle(1);
     for (std::size_t turn = first; turn < end; ++turn) {
+      const Segment frame = segment_of(*vectors.find("triangle"), turns[turn]);
+      begins.push_back(sent);
+      sent += frame.end - frame.begin;
       for (const auto& [stream, sender] : senders) sender->send(segment_of(*stream, turns[turn]));
       for (const auto& [stream, receiver] : receivers) receiver->expect(segment_of(*stream, turns[turn]));
     }
@@ -202,7 +207,12 @@ Result run_pipeline(Model* model, const Vectors& vectors, const Options& options
         receiver->record_last(&last->counted[stream->name]);
       }
     }
-    const auto done = [&] { return bench.all_done() && *busy == 0; };
+    const auto done = [&] {
+      const auto begun = std::lower_bound(begins.begin(), begins.end(), triangles->words()) - begins.begin();
+      if (std::size_t(begun) > pixel->segments_done() && *busy == 0)
+        bench.fail("protocol: busy_o is 0 while a frame is in flight");
+      return bench.all_done() && *busy == 0;
+    };
     if (first == 0)
       ran = ran && bench.run([&] { return triangles->words() > 0; }, std::max(options.hang, kResetPatience));
     ran = ran && bench.run(done, options.hang);
