@@ -15,10 +15,8 @@
 #include "model/drivers/up_convert.hpp"
 #include "model/pipeline/engine.hpp"
 #include "ref/error.hpp"
-#include "vectors/frames/awkward.hpp"
 #include "vectors/frames/extremes.hpp"
 #include "vectors/frames/features/feature_extremes.hpp"
-#include "vectors/frames/index_frames.hpp"
 #include "vectors/frames/rare_frames.hpp"
 #include "vectors/frames/static_sequence.hpp"
 #include "vectors/staging.hpp"
@@ -46,21 +44,6 @@ struct VectorsOptions {
   int first = 0, intervals = 2;  // of a film
   bool query = true;
 };
-
-// Normals of all kinds for the frames that there are; before them, frames for the normals.
-void add_normals(const VectorsOptions& options, const model::Configuration& configuration, bool corners,
-                 std::vector<model::NamedFrame>& frames) {
-  const Config config = configuration.config();
-  for (std::size_t n = 0; n < frames.size(); ++n) {
-    if (!frames[n].lighting.triangles.empty()) continue;  // the scene's
-    frames[n].lighting = model::awkward_normals(frames[n].scene.triangles.size(), config, options.seed + n);
-  }
-  if (corners) {
-    std::vector<model::NamedFrame> first =
-        model::normal_frames(model::raster_format(configuration), config, options.seed);
-    frames.insert(frames.begin(), std::make_move_iterator(first.begin()), std::make_move_iterator(first.end()));
-  }
-}
 
 // "two_words" is TwoWords.
 std::string camel(const std::string& snake) {
@@ -270,32 +253,10 @@ void write_vectors(const VectorsOptions& options) {
     if (frames.empty()) frames = model::extreme_frames(format);
   }
   if (corners) {
-    std::vector<model::NamedFrame> first = model::corner_frames(format);
-    for (auto& frame : model::random_frames(format, options.seed, options.random, options.random_triangles)) {
-      first.push_back(std::move(frame));
-    }
-    if (gives_indices(configuration.config())) {
-      for (auto& frame : model::index_frames(format, configuration.config())) first.push_back(std::move(frame));
-    }
-    first.insert(first.end(), std::make_move_iterator(frames.begin()), std::make_move_iterator(frames.end()));
-    frames = std::move(first);
-  }
-
-  if (has_lighting(configuration.config())) add_normals(options, configuration, corners, frames);
-
-  if (has_texture(configuration.config())) {
-    for (std::size_t n = 0; n < frames.size(); ++n) {
-      if (!frames[n].texture.triangles.empty()) continue;  // the scene's
-      frames[n].texture =
-          model::awkward_coordinates(frames[n].scene.triangles.size(), configuration.config(), options.seed + n);
-    }
-  }
-
-  if (has_motion(configuration.config())) {
-    for (std::size_t n = 0; n < frames.size(); ++n) {
-      if (!frames[n].motion.triangles.empty()) continue;  // the scene's
-      frames[n].motion = model::awkward_motion(frames[n].scene, configuration.config(), options.seed + n);
-    }
+    frames = model::standard_frames(configuration, options.seed, options.random, options.random_triangles,
+                                    std::move(frames));
+  } else {
+    model::add_awkward(configuration, options.seed, frames);
   }
 
   model::VectorSetOptions set = set_of(options, configuration);

@@ -3,10 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <iterator>
 #include <random>
 
+#include "vectors/frames/awkward.hpp"
 #include "vectors/frames/extremes.hpp"
 #include "vectors/frames/frame_builder.hpp"
+#include "vectors/frames/index_frames.hpp"
 
 namespace halfspace::model {
 
@@ -92,6 +95,55 @@ std::vector<NamedFrame> random_frames(const RasterFormat& format, std::uint64_t 
     }
     push_frame(frames, fmt::format("random: {} triangles, seed {}, frame {}", triangles, seed, f), b);
   }
+  return frames;
+}
+
+namespace {
+
+void add_normals(const Config& config, std::uint64_t seed, std::vector<NamedFrame>& frames) {
+  for (std::size_t n = 0; n < frames.size(); ++n) {
+    if (!frames[n].lighting.triangles.empty()) continue;  // the scene's
+    frames[n].lighting = awkward_normals(frames[n].scene.triangles.size(), config, seed + n);
+  }
+}
+
+void add_coordinates_and_motion(const Config& config, std::uint64_t seed, std::vector<NamedFrame>& frames) {
+  for (std::size_t n = 0; n < frames.size(); ++n) {
+    NamedFrame& frame = frames[n];
+    if (has_texture(config) && frame.texture.triangles.empty()) {
+      frame.texture = awkward_coordinates(frame.scene.triangles.size(), config, seed + n);
+    }
+    if (has_motion(config) && frame.motion.triangles.empty()) {
+      frame.motion = awkward_motion(frame.scene, config, seed + n);
+    }
+  }
+}
+
+void put_before(std::vector<NamedFrame>& frames, std::vector<NamedFrame> first) {
+  frames.insert(frames.begin(), std::make_move_iterator(first.begin()), std::make_move_iterator(first.end()));
+}
+
+}  // namespace
+
+void add_awkward(const Configuration& configuration, std::uint64_t seed, std::vector<NamedFrame>& frames) {
+  const Config config = configuration.config();
+  if (has_lighting(config)) add_normals(config, seed, frames);
+  add_coordinates_and_motion(config, seed, frames);
+}
+
+std::vector<NamedFrame> standard_frames(const Configuration& configuration, std::uint64_t seed, int random,
+                                        int triangles, std::vector<NamedFrame> frames) {
+  const Config config = configuration.config();
+  const RasterFormat format = raster_format(configuration);
+  if (gives_indices(config)) put_before(frames, index_frames(format, config));
+  put_before(frames, random_frames(format, seed, random, triangles));
+  put_before(frames, corner_frames(format));
+  // Frames for the normals have theirs.
+  if (has_lighting(config)) {
+    add_normals(config, seed, frames);
+    put_before(frames, normal_frames(format, config, seed));
+  }
+  add_coordinates_and_motion(config, seed, frames);
   return frames;
 }
 

@@ -16,6 +16,14 @@ std::vector<NamedFrame> corner_frames(const ref::RasterFormat& format);
 // `count` frames of `triangles` triangles each, of mixed kinds and sizes, from `seed`.
 std::vector<NamedFrame> random_frames(const ref::RasterFormat& format, std::uint64_t seed, int count, int triangles);
 
+// Gives each frame that has none normals, texture coordinates and motion of all kinds, of what the configuration has.
+void add_awkward(const Configuration& configuration, std::uint64_t seed, std::vector<NamedFrame>& frames);
+
+// Corner cases, `random` frames of `triangles` triangles each, what the configuration has besides, and then `frames`;
+// each with all that goes with its triangles.
+std::vector<NamedFrame> standard_frames(const Configuration& configuration, std::uint64_t seed, int random,
+                                        int triangles, std::vector<NamedFrame> frames = {});
+
 }  // namespace halfspace::model
 
 #endif  // HALFSPACE_VECTORS_STANDARD_SET_HPP_

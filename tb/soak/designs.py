@@ -68,7 +68,7 @@ class Design:
             size = f"{draw.randint(1, min(width, 48))}x{draw.randint(1, min(height, 40))}"
             return ["static_frames", "--size", size, "--objects", objects, "--frames", frames,
                     "--buffers", draw.randint(1, 3), "--seed", seed, draw.choice(("--query", "--no-query"))]
-        return ["standard", "--random", frames, "--random-triangles", draw.randint(1, 200), "--seed", seed]
+        return ["standard", "--random", frames, "--random-triangles", draw.randint(1, 400), "--seed", seed]
 
     def vectors(self, scene, out):
         demand([self.halfspace, "vectors", *scene, "--config", self.toml, "--lanes", self.lanes, "--out", out])

@@ -17,3 +17,7 @@ endfunction()
 halfspace_random_configs(random_configs)
 halfspace_random_configs(random_configs_long LONG OPTIONS --seed 1000 --count 400 --small 100)
 halfspace_cosim_file(pipeline one_stamp 16)
+
+halfspace_script_test(soak soak_test.py WORLD cosim UNITS pipeline
+  BUILDS halfspace halfspace_tb halfspace_verilated
+  COMMAND $<TARGET_FILE:halfspace> ${CMAKE_CURRENT_BINARY_DIR}/soak ${config_of_micro} ${how})
