@@ -25,6 +25,8 @@ module hs_system #(
   parameter int unsigned DeferFifoDepth = 512,
   parameter int unsigned OutsideFrame = 0,
   parameter int unsigned OutsidePlanes = 0,
+  parameter int unsigned CacheTilesX = 16,
+  parameter int unsigned CacheTilesY = 16,
   localparam int unsigned Lanes = LanesX * LanesY
 ) (
   input  logic                  clk_i,
@@ -285,7 +287,9 @@ module hs_system #(
     .SetupFifoDepth     (SetupFifoDepth),
     .DeferFifoDepth     (DeferFifoDepth),
     .OutsideFrame       (OutsideFrame),
-    .OutsidePlanes      (OutsidePlanes)
+    .OutsidePlanes      (OutsidePlanes),
+    .CacheTilesX        (CacheTilesX),
+    .CacheTilesY        (CacheTilesY)
   ) u_core (
     .clk_i          (clk_i),
     .rst_ni         (rst_ni),

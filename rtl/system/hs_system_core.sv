@@ -18,6 +18,8 @@ module hs_system_core #(
   parameter int unsigned DeferFifoDepth = 512,
   parameter int unsigned OutsideFrame = 0,
   parameter int unsigned OutsidePlanes = 0,
+  parameter int unsigned CacheTilesX = 16,
+  parameter int unsigned CacheTilesY = 16,
   localparam int unsigned Lanes = LanesX * LanesY,
   localparam int unsigned RequestBits = hs_memory_pkg::RequestBits,
   localparam int unsigned Reads = hs_memory_pkg::Reads + 2,
@@ -224,7 +226,9 @@ module hs_system_core #(
     .DeferFifoDepth     (DeferFifoDepth),
     .OutsideFrame       (OutsideFrame),
     .OutsidePlanes      (OutsidePlanes),
-    .MemoryBits         (DataBits)
+    .MemoryBits         (DataBits),
+    .CacheTilesX        (CacheTilesX),
+    .CacheTilesY        (CacheTilesY)
   ) u_pipeline (
     .clk_i                      (clk_i),
     .rst_ni                     (core_rst_ni),
