@@ -166,6 +166,10 @@ module hs_tile_cache #(
   logic read_valid_q, test_valid_q, write_valid_q, busy, last_q;
   logic [PlaceBits-1:0] place, read_place_q, test_place_q, write_place_q;
   logic [NumberBits-1:0] number;
+  logic [SlotXBits-1:0] slot_x;
+  logic [SlotYBits-1:0] slot_y;
+  logic [1:0] row;
+  logic [SelectBits-1:0] select;
   logic [TileXBits-1:0] tile_x;
   logic [TileYBits-1:0] tile_y;
   logic [SlotBits-1:0] slot;
@@ -178,10 +182,12 @@ module hs_tile_cache #(
   assign tile_y = TileYBits'(queued_head.y >> ShiftY);
   // A block of tiles has slots of its own, and other blocks have them in another order: what is
   // high or wide does not meet itself.
-  assign slot = {SlotYBits'(tile_y) ^ SlotYBits'(tile_x >> SlotXBits),
-                 SlotXBits'(tile_x) ^ SlotXBits'(tile_y >> SlotYBits)};
-  assign place = {slot, 2'(number >> (NumberBits - 2)),
-                  SelectBits'(number) & SelectBits'(RowStamps - 1)};
+  assign slot_x = SlotXBits'(tile_x) ^ SlotXBits'(tile_y >> SlotYBits);
+  assign slot_y = SlotYBits'(tile_y) ^ SlotYBits'(tile_x >> SlotXBits);
+  assign slot = {slot_y, slot_x};
+  assign row = 2'(number >> (NumberBits - 2));
+  assign select = SelectBits'(number) & SelectBits'(RowStamps - 1);
+  assign place = {slot, row, select};
   assign stamp_valid_o = queued_valid && (!queued_change || changed_q);
   assign stamp_o = queued;
   assign queued_ready = stamp_ready_i && stamp_valid_o;

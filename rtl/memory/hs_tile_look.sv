@@ -80,8 +80,10 @@ module hs_tile_look #(
   logic [StampBits-1:0] looked_q;
   hs_formats_pkg::stamp_head_t stamp_head, looked_head;
   logic [TileBits-1:0] stamp_tile, looked_tile, old_tile;
-  logic [TileXBits-1:0] tile_x;
-  logic [TileYBits-1:0] tile_y;
+  logic [SlotXBits-1:0] slot_x;
+  logic [SlotYBits-1:0] slot_y;
+  logic [TileXBits-1:0] stamp_tile_x, tile_x;
+  logic [TileYBits-1:0] stamp_tile_y, tile_y;
   logic [SlotBits-1:0] looked_slot, tag_slot;
   logic [NumberBits-1:0] number;
   logic [TileBits-1:0] tags_q [Slots];
@@ -92,12 +94,17 @@ module hs_tile_look #(
 
   assign stamp_head = stamp_i[StampBits-1-:HeadBits];
   assign looked_head = looked_q[StampBits-1-:HeadBits];
-  assign stamp_tile = {TileYBits'(stamp_head.y >> ShiftY), TileXBits'(stamp_head.x >> ShiftX)};
-  assign looked_tile = {TileYBits'(looked_head.y >> ShiftY), TileXBits'(looked_head.x >> ShiftX)};
-  assign {tile_y, tile_x} = looked_tile;
+  // By variables: Yosys does not narrow inside of a concatenation.
+  assign stamp_tile_x = TileXBits'(stamp_head.x >> ShiftX);
+  assign stamp_tile_y = TileYBits'(stamp_head.y >> ShiftY);
+  assign stamp_tile = {stamp_tile_y, stamp_tile_x};
+  assign tile_x = TileXBits'(looked_head.x >> ShiftX);
+  assign tile_y = TileYBits'(looked_head.y >> ShiftY);
+  assign looked_tile = {tile_y, tile_x};
   // As hs_tile_cache has it.
-  assign looked_slot = {SlotYBits'(tile_y) ^ SlotYBits'(tile_x >> SlotXBits),
-                        SlotXBits'(tile_x) ^ SlotXBits'(tile_y >> SlotYBits)};
+  assign slot_x = SlotXBits'(tile_x) ^ SlotXBits'(tile_y >> SlotYBits);
+  assign slot_y = SlotYBits'(tile_y) ^ SlotYBits'(tile_x >> SlotXBits);
+  assign looked_slot = {slot_y, slot_x};
 
   assign number = (NumberBits'(looked_head.y) << ShiftX)
                   | (NumberBits'(looked_head.x) & NumberBits'((1 << ShiftX) - 1));
