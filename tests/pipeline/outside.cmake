@@ -12,4 +12,5 @@ halfspace_cosim(outside_castle_high_4 pipeline high 4 castle STALL 5 VECTORS --n
                 PARAMETERS ${outside} CacheTilesX=8 CacheTilesY=8)
 # What Yosys makes of it.
 halfspace_cosim(outside_netlist_low_4 pipeline low 4 standard NETLIST PARAMETERS ${outside})
-halfspace_faults(outside_faults outside low SCENE castle PARAMETERS ${outside} CacheTilesX=4 CacheTilesY=4 UNITS pipeline)
+halfspace_faults(outside_faults outside low SCENE castle PARAMETERS ${outside} CacheTilesX=4 CacheTilesY=4
+                 UNITS pipeline)
