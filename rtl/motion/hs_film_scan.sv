@@ -70,6 +70,11 @@ module hs_film_scan #(
   assign row_end = x_q == frame_width_i - XBits'(1);
   assign frame_end = row_end && y_q == frame_height_i - YBits'(1);
 
+  // Signals of their own: Yosys 0.23 does not narrow a cast inside a concatenation.
+  logic [SideBits-1:0] x_side, y_side;
+  assign x_side = SideBits'(x_q);
+  assign y_side = SideBits'(y_q);
+
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
       active_q <= 1'b0;
@@ -94,7 +99,7 @@ module hs_film_scan #(
       if (row_end) begin
         y_q <= y_q + YBits'(1);
         film_row_q <= film_row_q + FilmAddressBits'(MaxWidth);
-        if (SideBits'(y_q) == '1) key_row_q <= key_row_q + KeyAddressBits'(BlocksX);
+        if (&y_side) key_row_q <= key_row_q + KeyAddressBits'(BlocksX);
       end
     end
   end
@@ -114,7 +119,7 @@ module hs_film_scan #(
   always_ff @(posedge clk_i) begin
     if (step) begin
       head_q <= {frame_end, x_q, y_q};
-      lane_q <= {SideBits'(y_q), SideBits'(x_q)};
+      lane_q <= {y_side, x_side};
     end
   end
 

@@ -121,13 +121,18 @@ module hs_key_memory #(
   assign read_block_o = block;
   assign block_valid_o = valid_q;
 
+  // Signals of their own: Yosys 0.23 does not narrow a cast inside a concatenation.
+  logic [SideBits-1:0] write_x_side, write_y_side;
+  assign write_x_side = SideBits'(write_x_i);
+  assign write_y_side = SideBits'(write_y_i);
+
   for (genvar bank = 0; bank < Banks; bank++) begin : gen_bank
     logic [PixelBits-1:0] pixel;
     logic [XBits:0] x;  // a tile may begin in the frame and end beyond all x
     logic [YBits:0] y;
 
     assign write_en[bank] = write_en_i
-                            && {SideBits'(write_y_i), SideBits'(write_x_i)}
+                            && {write_y_side, write_x_side}
                                == (2 * SideBits)'(bank);
     assign x = (XBits + 1)'(x_q) + (XBits + 1)'({column_q, SideBits'(bank % KeySide)});
     assign y = (YBits + 1)'(y_q) + (YBits + 1)'({row_q, SideBits'(bank / KeySide)});

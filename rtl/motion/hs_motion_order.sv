@@ -70,11 +70,16 @@ module hs_motion_order #(
     else in_valid_q <= motion_valid_i && motion_ready_o;
   end
 
+  // Signals of their own: Yosys 0.23 does not narrow a cast inside a concatenation.
+  logic [2:0] x_low, y_low;
+  assign x_low = 3'(x);
+  assign y_low = 3'(y);
+
   always_ff @(posedge clk_i) begin
     in_last_q <= last;
     in_stores_q <= entry[EntryBits-1 -: FaceBits] != '0;
     in_tile_q <= TileBits'(tile_y) * TileBits'(TilesX) + TileBits'(tile_x);
-    in_pixel_q <= {3'(y), 3'(x)};
+    in_pixel_q <= {y_low, x_low};
     in_entry_q <= entry;
   end
 

@@ -107,9 +107,12 @@ module hs_static_frames #(
   logic sent_entry_valid, sent_entry_ready, entry_valid, entry_ready, unused_streams;
   logic unused_motion_vectors_ready, unused_pixel_valid, unused_motion_valid;
   logic [5:0] unused_memory;
+  hs_memory_pkg::bases_t no_bases;  // all is inside
   logic [EntryBits-1:0] sent_entry, entry;
   logic [EntryBits-Lanes*(DepthBits+ObjectBits)-1:0] unused_pixel;
   logic [hs_formats_pkg::MotionWordBits-1:0] unused_motion;
+
+  assign no_bases = '0;
 
   assign unused_streams = ^{unused_motion_vectors_ready, unused_pixel_valid, unused_pixel,
                             unused_motion_valid, unused_motion, unused_memory};
@@ -157,7 +160,7 @@ module hs_static_frames #(
     .entry_valid_o              (sent_entry_valid),
     .entry_ready_i              (sent_entry_ready),
     .entry_o                    (sent_entry),
-    .memory_bases_i             ('0),
+    .memory_bases_i             (no_bases),
     .memory_read_valid_o        (unused_memory[0]),
     .memory_read_ready_i        (1'b0),
     .memory_read_o              (unused_memory[1]),

@@ -173,6 +173,8 @@ module hs_up_convert #(
   logic [Lanes*IndexBits-1:0] scan_index;
   logic [DepthsBits-1:0] unused_scan_depth;
   logic [4:0] unused_outside;
+  hs_memory_pkg::bases_t no_bases;  // all is inside
+  assign no_bases = '0;
 
   hs_front #(
     .LanesX                (LanesX),
@@ -211,7 +213,7 @@ module hs_up_convert #(
     .scan_address_i    (scan_address),
     .scan_index_o      (scan_index),
     .scan_depth_o      (unused_scan_depth),
-    .memory_bases_i    ('0),
+    .memory_bases_i    (no_bases),
     .memory_o          (unused_outside[4]),
     .memory_i          (1'b0)
   );

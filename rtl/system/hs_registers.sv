@@ -252,19 +252,20 @@ module hs_registers #(
   assign axil_rdata_o = rdata_q;
   assign axil_rresp_o = rresp_q;
 
+  // Shifts, not casts side by side: Yosys 0.23 does not narrow these.
   always_comb begin
     value = '0;
     read_known = 1'b1;
     case (axil_araddr_i)
       hs_registers_pkg::Id: value = 32'h68733031;
-      hs_registers_pkg::Bus: value = {16'd0, 8'(DataBits / 8), 8'd1};
-      hs_registers_pkg::Lanes: value = {16'd0, 8'(LanesY), 8'(LanesX)};
+      hs_registers_pkg::Bus: value = 32'(DataBits / 8 << 8 | 1);
+      hs_registers_pkg::Lanes: value = 32'(LanesY << 8 | LanesX);
       hs_registers_pkg::Largest:
-        value = {16'(hs_formats_pkg::MaxHeight), 16'(hs_formats_pkg::MaxWidth)};
+        value = 32'(hs_formats_pkg::MaxHeight << 16 | hs_formats_pkg::MaxWidth);
       hs_registers_pkg::Triangles: value = 32'(Triangles);
       hs_registers_pkg::Widths:
-        value = {8'(ColourBits), 8'(hs_formats_pkg::HasDepth * hs_formats_pkg::DepthBits),
-                 8'(hs_formats_pkg::SubpixelBits), 8'(hs_formats_pkg::CoordBits)};
+        value = 32'(ColourBits << 24 | hs_formats_pkg::HasDepth * hs_formats_pkg::DepthBits << 16
+                    | hs_formats_pkg::SubpixelBits << 8 | hs_formats_pkg::CoordBits);
       hs_registers_pkg::Features: begin
         value[hs_registers_pkg::FeaturesColours +: 2] = 2'(Colours);
         value[hs_registers_pkg::FeaturesNormals +: 2] = 2'(Normals);
@@ -273,8 +274,8 @@ module hs_registers #(
         value[hs_registers_pkg::FeaturesOutsidePlanes] = OutsidePlanes != 0;
       end
       hs_registers_pkg::Answers:
-        value = {8'(hs_formats_pkg::RepeatBits), 8'(hs_formats_pkg::TextureBits),
-                 8'(hs_formats_pkg::MaterialBits), 8'(hs_formats_pkg::NormalBits)};
+        value = 32'(hs_formats_pkg::RepeatBits << 24 | hs_formats_pkg::TextureBits << 16
+                    | hs_formats_pkg::MaterialBits << 8 | hs_formats_pkg::NormalBits);
       hs_registers_pkg::Coordinate: value = 32'(hs_formats_pkg::CoordinateBits);
       hs_registers_pkg::Control: value = '0;
       hs_registers_pkg::Status: begin
