@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "model/texture/texture.hpp"
+#include "vectors/frames/features/feature_extremes.hpp"
 #include "vectors/frames/frame_builder.hpp"
 
 namespace halfspace::model {
@@ -67,6 +68,9 @@ std::vector<NamedFrame> rare_frames(const ref::RasterFormat& format, const Confi
   std::vector<NamedFrame> frames;
   add_one_stamp(format, frames);
   if (has_texture(config)) add_textures_that_end_early(format, config, frames);
+  if (!shades(config)) {
+    for (NamedFrame& frame : far_ways(format, config)) frames.push_back(std::move(frame));
+  }
   return frames;
 }
 

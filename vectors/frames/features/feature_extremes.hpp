@@ -28,6 +28,8 @@ std::vector<NamedFrame> texture_size_extremes(const ref::RasterFormat&, const Co
 std::vector<NamedFrame> coordinate_plane_extremes(const ref::RasterFormat&, const Config&);
 // Places in key frames: vectors/frames/features/motion_extremes.cpp
 std::vector<NamedFrame> vector_extremes(const ref::RasterFormat&, const Config&);
+// Of the set `rare`: ways that one bit alone puts out of the range of vectors.
+std::vector<NamedFrame> far_ways(const ref::RasterFormat&, const Config&);
 std::vector<NamedFrame> place_extremes(const ref::RasterFormat&, const Config&);
 std::vector<NamedFrame> place_plane_extremes(const ref::RasterFormat&, const Config&);
 // Numbers of objects: vectors/frames/features/objects_extremes.cpp

@@ -70,6 +70,27 @@ std::vector<NamedFrame> vector_extremes(const RasterFormat& format, const Config
   return frames;
 }
 
+std::vector<NamedFrame> far_ways(const RasterFormat& format, const Config& config) {
+  std::vector<NamedFrame> frames;
+  const PlaceBuilder make(config);
+  const int first_bit = config.vector_range, bits = config.range_bits - first_bit + 1;
+  push_cells(frames, "rare: ways whose upper bits but one, or one alone, are those of a vector that fits", format,
+             4 * bits, 3, {}, [&](NamedFrame& frame, int k, Point first) {
+               const int far = 1 << (first_bit + k / 4);
+               const int x = first.x + (k % 2 ? -far : far);
+               RawMotionVectors words;
+               words.face = 1;
+               const RawKeyPlaces still = make.place(1, first.x, first.y, first.x + 0.5, first.y + 0.5);
+               RawKeyPlaces moved = make.place(config.range_bits, k % 2 ? -make.range() : make.range() - 1, first.y,
+                                               x + 0.5, first.y + 0.5);
+               if (k % 4 >= 2) std::swap(moved.origin_x, moved.origin_y), std::swap(moved.s, moved.t);
+               words.key = {moved, still};
+               if (k / 4 % 2) std::swap(words.key[0], words.key[1]);
+               frame.motion.triangles.push_back(words);
+             });
+  return frames;
+}
+
 std::vector<NamedFrame> place_extremes(const RasterFormat& format, const Config& config) {
   std::vector<NamedFrame> frames;
   const PlaceBuilder make(config);
